@@ -1,0 +1,84 @@
+// The golden model of the hardware: packet words in, every stage's values out, bit for bit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "golden/config.h"
+#include "golden/texel/texture.h"
+#include "golden/triangle/packet.h"
+
+namespace wrinkle {
+
+// Fragments in structure-of-arrays form, small enough for the first-level cache. A batch never spans two draws.
+inline constexpr int kBatch = 256;
+
+// STAGE_NAME[element][fragment] for every value of components.def, as signed integers in that value's format.
+// Int is std::int32_t or std::int64_t, as lane_bits() says.
+template <class Int>
+struct Batch {
+  using Column = std::array<Int, kBatch>;
+  int count = 0;
+  std::array<std::uint32_t, kBatch> packet;  // index of the triangle packet, counted over the stream
+#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) \
+  alignas(64) std::array<Column, 3> stage##_##name;
+#include "golden/pixel/components.def"
+#undef WRINKLE_VALUE
+};
+
+// What components.def says of one value, for a configuration.
+struct Value {
+  std::string_view stage, name;
+  int elements, width, fraction_bits;
+  bool is_signed, present;
+};
+// All values in pipeline order, those the configuration lacks included (present = false).
+std::vector<Value> values(const Config& config);
+
+// One fragment's values: value_of[i][element], i as in values(). The common currency of golden, RTL taps and printers.
+using FragmentValues = std::vector<std::array<std::int64_t, 3>>;
+template <class Int>
+void extract(const Batch<Int>& batch, int index, FragmentValues& out);
+
+// What leaves the hardware.
+struct Fragment {
+  std::int32_t x = 0, y = 0;
+  std::uint32_t z = 0;
+  std::array<std::uint16_t, 3> colour{};
+  bool last = false, zero = false;
+  bool operator==(const Fragment&) const = default;
+};
+template <class Int>
+Fragment fragment(const Batch<Int>& batch, int index);
+
+// Which instance of the one source shades the lanes.
+enum class Lanes { kScalar, kSimd };
+// Name of the instruction set that kSimd uses on this machine, as Highway names it ("AVX3_ZEN4", "AVX2" ...).
+std::string_view simd_target();
+
+// A golden machine: draw state and textures bound, packets in, batches out. Value type; no global state.
+class Golden {
+ public:
+  Golden(const Config& config, const std::vector<Texture>& textures, Lanes lanes = Lanes::kSimd);
+  ~Golden();
+  Golden(Golden&&) noexcept;
+  Golden& operator=(Golden&&) noexcept;
+
+  // Called with each full or final batch, in order. Which of the two is decided by lane_bits(config); scalar is 64.
+  struct Sink {
+    std::function<void(const Batch<std::int32_t>&)> narrow;
+    std::function<void(const Batch<std::int64_t>&)> wide;
+  };
+  // Draws all packets of the stream; words are whole packets. Batches are flushed at a draw packet and at the end.
+  void draw(std::span<const std::uint64_t> words, const Sink& sink);
+
+ private:
+  struct State;
+  State* state_;
+};
+
+}  // namespace wrinkle

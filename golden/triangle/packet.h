@@ -1,0 +1,92 @@
+// Packets: the words the hardware is fed with. Layout in docs/formats.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "golden/config.h"
+#include "golden/triangle/draw.h"
+
+namespace wrinkle {
+
+inline constexpr unsigned kOpcodeDraw = 1;
+inline constexpr unsigned kOpcodeTriangle = 2;
+inline constexpr int kDrawWords = 4;
+
+// The draw state as the hardware holds it.
+struct DrawWords {
+  bool bump = false, textured = false, shadow = false, exponent_zero = false;
+  int wrap_u = 0, wrap_v = 0;
+  int log2_width = 0, log2_height = 0, max_level = 0;
+  int texture = 0;
+  int squarings = 0;
+  std::array<int, 3> ambient{}, diffuse{}, specular{};  // u1.C
+
+  bool operator==(const DrawWords&) const = default;
+};
+
+struct EdgeWords {
+  std::int64_t w = 0, step = 0, remainder = -1, remainder_step = 0, denominator = 1;
+  bool operator==(const EdgeWords&) const = default;
+};
+
+// One interpolated component; all three modulo 2^(width + G).
+struct PlaneWords {
+  std::int64_t value = 0, row = 0, dw = 0;
+  bool operator==(const PlaneWords&) const = default;
+};
+
+// The components of `interpolate`, in packet order. A configuration has a subset of them.
+enum class Component { kNx, kNy, kNz, kLx, kLy, kLz, kHx, kHy, kHz, kU, kV, kQ, kLod, kZ };
+inline constexpr int kComponents = 14;
+
+struct ComponentFormat {
+  Component component;
+  int width;           // without guard bits
+  int fraction_bits;   // of the output
+  bool is_signed;
+};
+// The planes a configuration has, in packet order. (Lod is among them only with perspective; else it is a constant field.)
+std::vector<ComponentFormat> component_formats(const Config& config);
+
+struct TriangleWords {
+  bool mirror = false;
+  int y = 0, rows = 1, rows_end0 = 1;
+  EdgeWords start, end0, end1;
+  std::array<PlaneWords, kComponents> planes{};  // by Component; those not configured stay zero
+  int lod = 0;                                   // without perspective
+
+  bool operator==(const TriangleWords&) const = default;
+};
+
+int scan_word_count(const Config& config);
+int plane_word_count(const Config& config);
+inline int triangle_word_count(const Config& config) { return scan_word_count(config) + plane_word_count(config); }
+
+void encode(const Config& config, const DrawWords& draw, std::vector<std::uint64_t>& words);
+void encode(const Config& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words);
+DrawWords decode_draw(std::span<const std::uint64_t> words);
+TriangleWords decode_triangle(const Config& config, std::span<const std::uint64_t> words);
+
+// Quantises a draw state; `frame` supplies the size of its texture.
+DrawWords quantise(const Config& config, const DrawState& state, const std::vector<Texture>& textures);
+
+// Set-up: the packets of one triangle on a screen of width x height, none when it covers no pixel.
+// Integers only after the one quantisation of each vertex; every compiler gives the same words.
+std::vector<TriangleWords> set_up(const Config& config, const ScreenTriangle& triangle, const DrawState& state,
+                                  const std::vector<Texture>& textures, int width, int height);
+
+// A frame as words, with an index from packets back to triangles.
+struct PacketStream {
+  std::vector<std::uint64_t> words;
+  std::vector<std::uint32_t> packet_word;      // first word of each triangle packet
+  std::vector<std::uint32_t> packet_draw;      // index into Frame::draws
+  std::vector<std::uint32_t> packet_triangle;  // ScreenTriangle::id
+  std::vector<std::uint32_t> draw_word;        // first word of each draw packet
+};
+PacketStream build_packets(const Config& config, const Frame& frame);
+
+}  // namespace wrinkle

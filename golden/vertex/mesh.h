@@ -1,0 +1,33 @@
+// Triangles with a tangent frame at every corner.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "golden/vector.h"
+#include "golden/vertex/surface.h"
+
+namespace wrinkle {
+
+struct Vertex {
+  Vec3 P;             // position
+  Vec3 N;             // unit normal
+  Vec3 T;             // unit tangent, direction of increasing u
+  double sign = 1;    // B = sign * (N x T); -1 where the parameterization is mirrored
+  Vec2 uv;            // texture coordinate in repeats; v grows downwards in the image, as in glTF
+  Vec2 parameter;     // (u, v) on `surface`, where there is one
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Vertex> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  // Per triangle an index into `surfaces`; empty where the mesh has no analytic surface.
+  std::vector<std::uint32_t> triangle_surface;
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+};
+
+}  // namespace wrinkle
