@@ -33,7 +33,7 @@ struct EdgeWords {
   bool operator==(const EdgeWords&) const = default;
 };
 
-// One interpolated component; all three modulo 2^(width + G).
+// One interpolated component; all three modulo 2^(width + G), kept as the residue of that many bits that is sign-extended.
 struct PlaneWords {
   std::int64_t value = 0, row = 0, dw = 0;
   bool operator==(const PlaneWords&) const = default;

@@ -1,0 +1,198 @@
+#include "golden/triangle/packet.h"
+
+#include <cassert>
+#include <stdexcept>
+#include <type_traits>
+
+namespace wrinkle {
+namespace {
+
+// The lists of fields. A visitor is called as visit(field, bits, is_signed) from bit 0 of the first word upwards, and
+// visit.next_word() where a word is left unfilled; Draw and Triangle are const for a writer and not for a reader.
+
+template <class Draw, class Visit>
+void draw_fields(Draw& draw, Visit& visit) {
+  unsigned opcode = kOpcodeDraw;
+  visit(opcode, 4, false);
+  visit(draw.bump, 1, false);
+  visit(draw.textured, 1, false);
+  visit(draw.shadow, 1, false);
+  visit(draw.exponent_zero, 1, false);
+  visit(draw.wrap_u, 2, false);
+  visit(draw.wrap_v, 2, false);
+  visit(draw.log2_width, 4, false);
+  visit(draw.log2_height, 4, false);
+  visit(draw.max_level, 4, false);
+  visit(draw.texture, 12, false);
+  visit(draw.squarings, 4, false);
+  for (auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular}) {
+    visit.next_word();
+    for (auto& channel : *colour) visit(channel, 16, false);
+  }
+  visit.next_word();
+}
+
+template <class Triangle, class Visit>
+void scan_fields(const Config& config, Triangle& triangle, Visit& visit) {
+  const int screen = config.screen_bits;
+  unsigned opcode = kOpcodeTriangle;
+  visit(opcode, 4, false);
+  visit(triangle.mirror, 1, false);
+  visit(triangle.y, screen, false);
+  visit(triangle.rows, screen + 1, false);
+  visit(triangle.rows_end0, screen + 1, false);
+  for (auto* edge : {&triangle.start, &triangle.end0, &triangle.end1}) {
+    visit(edge->w, screen + 2, true);
+    visit(edge->step, screen + 2, true);
+    visit(edge->remainder, config.edge_bits() + 1, true);
+    visit(edge->remainder_step, config.edge_bits(), false);
+    visit(edge->denominator, config.edge_bits(), false);
+  }
+  visit.next_word();
+}
+
+template <class Triangle, class Visit>
+void plane_fields(const Config& config, Triangle& triangle, Visit& visit) {
+  for (const ComponentFormat& format : component_formats(config)) {
+    auto& plane = triangle.planes[static_cast<std::size_t>(format.component)];
+    const int bits = format.width + config.guard_bits;
+    visit(plane.value, bits, true);
+    visit(plane.row, bits, true);
+    visit(plane.dw, bits, true);
+  }
+  if (config.has_texture() && config.perspective == 0) visit(triangle.lod, 4 + config.lod_fraction_bits(), false);
+  visit.next_word();
+}
+
+class Writer {
+ public:
+  explicit Writer(std::vector<std::uint64_t>& words) : words_(words) {}
+
+  template <class Field>
+  void operator()(const Field& field, int bits, [[maybe_unused]] bool is_signed) {
+    const auto value = static_cast<std::int64_t>(field);
+    assert(is_signed ? value >> (bits - 1) == value >> 63 : value >> bits == 0);
+    const std::uint64_t code = static_cast<std::uint64_t>(value) & ((std::uint64_t{1} << bits) - 1);
+    if (used_ == 0) words_.push_back(0);
+    words_.back() |= code << used_;
+    const int room = 64 - used_;
+    if (bits > room) words_.push_back(code >> room);
+    used_ = (used_ + bits) % 64;
+  }
+  void next_word() { used_ = 0; }
+
+ private:
+  std::vector<std::uint64_t>& words_;
+  int used_ = 0;  // bits of the last word; 0: it is full
+};
+
+class Reader {
+ public:
+  explicit Reader(std::span<const std::uint64_t> words) : words_(words) {}
+
+  template <class Field>
+  void operator()(Field& field, int bits, bool is_signed) {
+    const std::size_t word = bit_ / 64;
+    const int shift = static_cast<int>(bit_ % 64);
+    bit_ += static_cast<std::size_t>(bits);
+    if ((bit_ + 63) / 64 > words_.size()) throw std::invalid_argument("a packet is cut short");
+    std::uint64_t code = words_[word] >> shift;
+    if (shift + bits > 64) code |= words_[word + 1] << (64 - shift);
+    const int unused = 64 - bits;
+    const auto top = static_cast<std::int64_t>(code << unused);
+    field = static_cast<Field>(is_signed ? top >> unused : static_cast<std::int64_t>((code << unused) >> unused));
+  }
+  void next_word() { bit_ = (bit_ + 63) / 64 * 64; }
+
+ private:
+  std::span<const std::uint64_t> words_;
+  std::size_t bit_ = 0;
+};
+
+// Counts the words that a list of fields fills.
+class Counter {
+ public:
+  template <class Field>
+  void operator()(const Field&, int bits, bool) {
+    bits_ += bits;
+  }
+  void next_word() { bits_ = (bits_ + 63) / 64 * 64; }
+  int words() const { return bits_ / 64; }
+
+ private:
+  int bits_ = 0;
+};
+
+void expect_opcode(std::span<const std::uint64_t> words, unsigned opcode) {
+  if (words.empty() || (words[0] & 15) != opcode)
+    throw std::invalid_argument("a packet has another opcode than expected");
+}
+
+}  // namespace
+
+std::vector<ComponentFormat> component_formats(const Config& config) {
+  std::vector<ComponentFormat> formats;
+  const auto add = [&](Component component, int width, int fraction_bits, bool is_signed) {
+    formats.push_back({component, width, fraction_bits, is_signed});
+  };
+  const auto add_vector = [&](Component x, Component y, Component z) {
+    for (Component component : {x, y, z}) add(component, config.vector_width(), config.vector_bits, true);
+  };
+  add_vector(Component::kNx, Component::kNy, Component::kNz);
+  add_vector(Component::kLx, Component::kLy, Component::kLz);
+  if (config.has_halfangle()) add_vector(Component::kHx, Component::kHy, Component::kHz);
+  if (config.has_texture()) {
+    add(Component::kU, config.uv_width(), config.uv_bits, true);
+    add(Component::kV, config.uv_width(), config.uv_bits, true);
+    if (config.perspective != 0) {
+      add(Component::kQ, config.q_bits, config.q_bits, false);
+      add(Component::kLod, 6 + config.lod_fraction_bits(), config.lod_fraction_bits(), true);
+    }
+  }
+  if (config.depth != 0) add(Component::kZ, config.depth_bits, config.depth_bits, false);
+  return formats;
+}
+
+int scan_word_count(const Config& config) {
+  Counter counter;
+  const TriangleWords triangle;
+  scan_fields(config, triangle, counter);
+  return counter.words();
+}
+
+int plane_word_count(const Config& config) {
+  Counter counter;
+  const TriangleWords triangle;
+  plane_fields(config, triangle, counter);
+  return counter.words();
+}
+
+void encode(const Config&, const DrawWords& draw, std::vector<std::uint64_t>& words) {
+  Writer writer(words);
+  draw_fields(draw, writer);
+}
+
+void encode(const Config& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words) {
+  Writer writer(words);
+  scan_fields(config, triangle, writer);
+  plane_fields(config, triangle, writer);
+}
+
+DrawWords decode_draw(std::span<const std::uint64_t> words) {
+  expect_opcode(words, kOpcodeDraw);
+  DrawWords draw;
+  Reader reader(words);
+  draw_fields(draw, reader);
+  return draw;
+}
+
+TriangleWords decode_triangle(const Config& config, std::span<const std::uint64_t> words) {
+  expect_opcode(words, kOpcodeTriangle);
+  TriangleWords triangle;
+  Reader reader(words);
+  scan_fields(config, triangle, reader);
+  plane_fields(config, triangle, reader);
+  return triangle;
+}
+
+}  // namespace wrinkle
