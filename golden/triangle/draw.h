@@ -16,34 +16,34 @@ namespace wrinkle {
 // A projected corner. x, y are already on the sub-pixel grid (units of 2^-S pixel, y down); all else is float64.
 struct ScreenVertex {
   std::int32_t x = 0, y = 0;
-  double z = 0;          // [0, 1]
-  double q = 1;          // 1/w up to a factor per triangle
-  Vec2 uv;               // repeats; not multiplied by q
-  Vec3 N, L, H;          // in the frame the draw lights in, unit length
-  Vec2 parameter;        // on the analytic surface
-  Vec3 P;                // world position, for the ideal picture
+  double z = 0;    // [0, 1]
+  double q = 1;    // 1/w up to a factor per triangle
+  Vec2 uv;         // repeats; not multiplied by q
+  Vec3 N, L, H;    // in the frame the draw lights in, unit length
+  Vec2 parameter;  // on the analytic surface
+  Vec3 P;          // world position, for the ideal picture
 };
 
 struct ScreenTriangle {
   std::array<ScreenVertex, 3> v;
-  std::uint32_t id = 0;  // of the mesh triangle it came from, counted over the frame
+  std::uint32_t id = 0;                    // of the mesh triangle it came from, counted over the frame
   std::shared_ptr<const Surface> surface;  // analytic surface, or null
 };
 
 struct Material {
-  Vec3 ambient{0.05, 0.05, 0.05};   // red, green, blue in [0, 1]
+  Vec3 ambient{0.05, 0.05, 0.05};  // red, green, blue in [0, 1]
   Vec3 diffuse{0.7, 0.7, 0.7};
   Vec3 specular{0.25, 0.25, 0.25};
-  int exponent = 16;                // 0 or a power of two
+  int exponent = 16;  // 0 or a power of two
 };
 
 // Draw state. Quantised by encode_draw() of packet.h.
 struct DrawState {
-  bool bump = false;      // N from the texture
+  bool bump = false;  // N from the texture
   bool textured = false;
   bool shadow = false;
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
-  int texture = 0;        // index into Frame::textures
+  int texture = 0;  // index into Frame::textures
   Material material;
 };
 
@@ -62,9 +62,9 @@ class HeightField {
 
 // What `ideal` needs to light a point of an analytic surface: everything in world space.
 struct IdealScene {
-  Vec3 eye;                // position, or direction to the viewer when orthographic
+  Vec3 eye;  // position, or direction to the viewer when orthographic
   bool eye_at_infinity = true;
-  Vec3 light;              // position, or direction to the light
+  Vec3 light;  // position, or direction to the light
   bool light_at_infinity = true;
   std::vector<std::shared_ptr<const HeightField>> height;  // per draw; null = smooth
 };

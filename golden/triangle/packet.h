@@ -33,7 +33,8 @@ struct EdgeWords {
   bool operator==(const EdgeWords&) const = default;
 };
 
-// One interpolated component; all three modulo 2^(width + G), kept as the residue of that many bits that is sign-extended.
+// One interpolated component; all three modulo 2^(width + G), kept as the residue of that many bits that is
+// sign-extended.
 struct PlaneWords {
   std::int64_t value = 0, row = 0, dw = 0;
   bool operator==(const PlaneWords&) const = default;
@@ -45,11 +46,12 @@ inline constexpr int kComponents = 14;
 
 struct ComponentFormat {
   Component component;
-  int width;           // without guard bits
-  int fraction_bits;   // of the output
+  int width;          // without guard bits
+  int fraction_bits;  // of the output
   bool is_signed;
 };
-// The planes a configuration has, in packet order. (Lod is among them only with perspective; else it is a constant field.)
+// The planes a configuration has, in packet order. (Lod is among them only with perspective; else it is a constant
+// field.)
 std::vector<ComponentFormat> component_formats(const Config& config);
 
 struct TriangleWords {
@@ -71,11 +73,19 @@ void encode(const Config& config, const TriangleWords& triangle, std::vector<std
 DrawWords decode_draw(std::span<const std::uint64_t> words);
 TriangleWords decode_triangle(const Config& config, std::span<const std::uint64_t> words);
 
-// Quantises a draw state; `frame` supplies the size of its texture.
+// A colour as the configured channels: three, or one, the luminance (Rec. 709), in x.
+Vec3 to_channels(const Config& config, Vec3 colour);
+
+// Quantises a draw state. What the configuration cannot do is off: bump and textured say whether texels are fetched.
+// Throws std::invalid_argument when the texture is not there or the exponent is neither 0 nor a power of two.
 DrawWords quantise(const Config& config, const DrawState& state, const std::vector<Texture>& textures);
 
-// Set-up: the packets of one triangle on a screen of width x height, none when it covers no pixel.
-// Integers only after the one quantisation of each vertex; every compiler gives the same words.
+// Set-up: the packets of one triangle on a screen of width x height, none when it covers no pixel. Any winding draws;
+// the order of the corners does not matter. Integers only after the one quantisation of each vertex; every compiler
+// gives the same words. Throws std::invalid_argument for vertices outside the guard band [-2^X, 2^(X+1)) pixels,
+// vectors far from unit length and 1/w <= 0, and std::range_error when u or v does not fit uv_integer_bits.
+std::vector<TriangleWords> set_up(const Config& config, const ScreenTriangle& triangle, const DrawWords& draw,
+                                  int width, int height);
 std::vector<TriangleWords> set_up(const Config& config, const ScreenTriangle& triangle, const DrawState& state,
                                   const std::vector<Texture>& textures, int width, int height);
 

@@ -1,0 +1,98 @@
+#include "golden/triangle/corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace wrinkle {
+namespace {
+
+void check_guard_band(const Config& config, std::int32_t coordinate) {
+  const std::int64_t screen = std::int64_t{1} << (config.screen_bits + config.subpixel_bits);
+  if (coordinate < -screen || coordinate >= 2 * screen) {
+    throw std::invalid_argument("a vertex lies outside the guard band");
+  }
+}
+
+// The whole repeats to take off so that [low, high] is centred on zero. Ties leave [0, 1] where it is.
+double whole_repeats(Wrap wrap, double low, double high) {
+  const double centre = (low + high) / 2;
+  switch (wrap) {
+    case Wrap::kRepeat:
+      return std::ceil(centre - 0.5);
+    case Wrap::kMirror:
+      return 2 * std::ceil(centre / 2 - 0.5);
+    case Wrap::kClamp:
+      break;
+  }
+  return 0;
+}
+
+void reduce(const Config& config, int wrap, const char* name, std::array<double, 3>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double repeats = whole_repeats(static_cast<Wrap>(wrap), *low, *high);
+  const double bound = std::ldexp(1.0, config.uv_integer_bits - 1);
+  const auto margin = interpolation_margin(config, config.uv_width());
+  const double lowest = -bound + std::ldexp(static_cast<double>(margin), -config.uv_bits);
+  const double highest = bound - std::ldexp(static_cast<double>(margin + 1), -config.uv_bits);
+  if (!(*low - repeats >= lowest && *high - repeats <= highest)) {
+    throw std::range_error(
+        std::string("texture coordinate ") + name + " spans " + std::to_string(*low) + " to " + std::to_string(*high) +
+        " repeats over one triangle, which does not fit uv_integer_bits = " + std::to_string(config.uv_integer_bits));
+  }
+  for (double& value : values) value -= repeats;
+}
+
+}  // namespace
+
+std::int64_t interpolation_margin(const Config& config, int width) {
+  return std::int64_t{1} << std::min(std::max(config.screen_bits - config.guard_bits, 0), width - 3);
+}
+
+double depth_in_format(const Config& config, double z) {
+  const auto margin = static_cast<double>(interpolation_margin(config, config.depth_bits));
+  const double codes = std::ldexp(1.0, config.depth_bits);
+  return (margin + std::clamp(z, 0.0, 1.0) * (codes - 1 - 2 * margin)) / codes;
+}
+
+Corners sort_corners(const Config& config, const ScreenTriangle& triangle) {
+  for (const ScreenVertex& vertex : triangle.v) {
+    check_guard_band(config, vertex.x);
+    check_guard_band(config, vertex.y);
+  }
+  Corners corners{{&triangle.v[0], &triangle.v[1], &triangle.v[2]}};
+  std::sort(corners.v.begin(), corners.v.end(),
+            [](const ScreenVertex* a, const ScreenVertex* b) { return std::tie(a->y, a->x) < std::tie(b->y, b->x); });
+  const std::int64_t dx1 = corners.v[1]->x - corners.v[0]->x, dy1 = corners.v[1]->y - corners.v[0]->y;
+  const std::int64_t dx2 = corners.v[2]->x - corners.v[0]->x, dy2 = corners.v[2]->y - corners.v[0]->y;
+  corners.area = dx1 * dy2 - dx2 * dy1;
+  return corners;
+}
+
+TextureCorners texture_corners(const Config& config, const Corners& corners, const DrawWords& draw) {
+  TextureCorners texture;
+  for (std::size_t i = 0; i < 3; ++i) {
+    texture.u[i] = corners.v[i]->uv.x;
+    texture.v[i] = corners.v[i]->uv.y;
+  }
+  reduce(config, draw.wrap_u, "u", texture.u);
+  reduce(config, draw.wrap_v, "v", texture.v);
+  if (config.perspective == 0) return texture;
+
+  const double one = std::ldexp(1.0, config.q_bits);
+  const auto margin = static_cast<double>(interpolation_margin(config, config.q_bits));
+  double largest = 0;
+  for (const ScreenVertex* vertex : corners.v) {
+    if (!(vertex->q > 0) || !std::isfinite(vertex->q)) throw std::invalid_argument("1/w is not positive and finite");
+    largest = std::max(largest, vertex->q);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    // A q below the margin could be carried below zero; it is some 2^-Q of the largest, far beyond the resolution.
+    texture.q[i] = std::max(corners.v[i]->q / largest * (1 - margin / one), margin / one);
+  }
+  return texture;
+}
+
+}  // namespace wrinkle

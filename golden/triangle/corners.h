@@ -1,0 +1,38 @@
+// The three corners of a triangle in an order that does not depend on how the mesh lists them, so that the same
+// triangle gives the same words whichever corner comes first.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "golden/config.h"
+#include "golden/triangle/packet.h"
+
+namespace wrinkle {
+
+struct Corners {
+  std::array<const ScreenVertex*, 3> v;  // by y, then x
+  std::int64_t area = 0;  // twice the area in sub-pixels squared; positive: corner 1 is right of edge 0-2
+};
+
+// Throws std::invalid_argument when a corner lies outside the guard band [-2^X, 2^(X+1)) pixels, to which the vertex
+// rate clips.
+Corners sort_corners(const Config& config, const ScreenTriangle& triangle);
+
+// Texture coordinates as the hardware gets them, before quantisation: whole repeats are taken off (an even number where
+// the texture is mirrored, none where it is clamped) and q is scaled so that the largest is just below 1. Without
+// `perspective` q is 1. Throws std::range_error when u or v does not fit uv_integer_bits, std::invalid_argument when
+// q is not positive.
+struct TextureCorners {
+  std::array<double, 3> u{}, v{}, q{1, 1, 1};
+};
+TextureCorners texture_corners(const Config& config, const Corners& corners, const DrawWords& draw);
+
+// LSBs that an unsigned or cyclic component keeps clear of both ends of its format: the accumulated error of the
+// interpolator over a whole screen, at most 2^(X - G) LSB, must not carry it round.
+std::int64_t interpolation_margin(const Config& config, int width);
+
+// z in [0, 1] as the hardware gets it: margin/2^Z to 1 - (margin + 1)/2^Z.
+double depth_in_format(const Config& config, double z);
+
+}  // namespace wrinkle
