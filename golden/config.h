@@ -16,6 +16,9 @@ enum class SelfShadow { kOff, kHard, kSmooth };
 enum class Filter { kNearest, kBilinear, kTrilinear };
 enum class Decode { kRange, kOffset };
 
+// Textures are at most 2^12 texels wide and high.
+inline constexpr int kMaxLog2Size = 12;
+
 // One int per parameter of parameters.def, under its name, in the order of that list.
 struct Config {
 #define WRINKLE_CHOICE(name, standard, values, description) int name = standard;
@@ -37,6 +40,11 @@ struct Config {
   int weight_fraction_bits() const { return filter == static_cast<int>(Filter::kNearest) ? 0 : weight_bits; }
   // D of the texture stage: fraction bits of a filtered texel code.
   int filter_fraction_bits() const { return 2 * weight_fraction_bits() + lod_fraction_bits(); }
+  // Left shift that makes every right shift of u and v to texel units at least 1, for sizes up to kMaxLog2Size.
+  int coordinate_shift() const {
+    const int fraction = kMaxLog2Size + weight_fraction_bits() + 1;
+    return fraction > uv_bits ? fraction - uv_bits : 0;
+  }
   int texel_components() const { return (has_bump() ? 3 : 0) + (decal != 0 ? 3 : 0); }
   int edge_bits() const { return screen_bits + subpixel_bits + 2; }
   int screen_size() const { return 1 << screen_bits; }
@@ -61,6 +69,7 @@ struct IllegalParameter {
 IllegalParameter check(const Config& config);
 
 // Bits of the widest intermediate of the pixel stages, sign included, and so the lane the golden model needs: 32 or 64.
+// A configuration must be legal.
 int widest_operand_bits(const Config& config);
 int lane_bits(const Config& config);
 

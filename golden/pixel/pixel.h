@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -55,8 +56,9 @@ struct Fragment {
 template <class Int>
 Fragment fragment(const Batch<Int>& batch, int index);
 
-// Which instance of the one source shades the lanes.
-enum class Lanes { kScalar, kSimd };
+// Which instance of the one source shades the lanes. kChecked is kScalar, throwing std::logic_error where an operation
+// leaves the lane that lane_bits() promises to be wide enough.
+enum class Lanes { kScalar, kSimd, kChecked };
 // Name of the instruction set that kSimd uses on this machine, as Highway names it ("AVX3_ZEN4", "AVX2" ...).
 std::string_view simd_target();
 
@@ -68,7 +70,7 @@ class Golden {
   Golden(Golden&&) noexcept;
   Golden& operator=(Golden&&) noexcept;
 
-  // Called with each full or final batch, in order. Which of the two is decided by lane_bits(config); scalar is 64.
+  // Called with each full or final batch, in order. Which of the two is decided by lane_bits(config); scalar and checked are wide.
   struct Sink {
     std::function<void(const Batch<std::int32_t>&)> narrow;
     std::function<void(const Batch<std::int64_t>&)> wide;
@@ -78,7 +80,7 @@ class Golden {
 
  private:
   struct State;
-  State* state_;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace wrinkle

@@ -11,8 +11,10 @@
 //
 // Table:
 //
-//   root(x) = 2^(R+g+Q) / (x / 2), rounded to nearest = ((2^(R+g+Q+2) / x) + 1) >> 1           integer division, 47
-//   bits m0 = 2^(Q-1) + (j << n)                  r0, rm, r1 = root(2 m0), root(2 m0 + 2^n), root(2 m0 + 2 * 2^n)
+//   root(x) = 2^(R+g+Q) / (x / 2), rounded to nearest
+//           = ((2^(R+g+Q+2) / x) + 1) >> 1                  integer division; 49 bits
+//   m0 = 2^(Q-1) + (j << n)
+//   r0, rm, r1 = root(2 m0), root(2 m0 + 2^n), root(2 m0 + 2 * 2^n)
 //   slope[j] = r0 - r1
 //   base[j]  = r0 - (n > 0 ? (r0 + r1 - 2 rm + 2) >> 2 : 0) + 2^(g-1)
 //
