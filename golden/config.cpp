@@ -1,0 +1,134 @@
+#include "golden/config.h"
+
+#include <algorithm>
+
+#include "golden/pixel/reciprocal.h"
+#include "golden/pixel/rsqrt.h"
+
+namespace wrinkle {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t bar = text.find('|'); bar != text.npos; bar = text.find('|')) {
+    words.push_back(text.substr(0, bar));
+    text.remove_prefix(bar + 1);
+  }
+  words.push_back(text);
+  return words;
+}
+
+Parameter choice(std::string_view name, int Config::*member, int standard, std::string_view values,
+                 std::string_view description) {
+  auto names = split(values);
+  const int maximum = static_cast<int>(names.size()) - 1;
+  return {name, member, standard, 0, maximum, std::move(names), description};
+}
+
+IllegalParameter check_range(const Config& config, const Parameter& parameter) {
+  const int value = config.*parameter.member;
+  if (value >= parameter.minimum && value <= parameter.maximum) return {};
+  std::string message = std::string(parameter.name) + " = " + std::to_string(value) + " is not ";
+  if (parameter.values.empty()) {
+    message += "in " + std::to_string(parameter.minimum) + " to " + std::to_string(parameter.maximum);
+  } else {
+    message += "one of";
+    for (std::size_t i = 0; i < parameter.values.size(); ++i)
+      message += (i == 0 ? " " : ", ") + std::string(parameter.values[i]);
+  }
+  return {std::string(parameter.name), message + " (" + std::string(parameter.description) + ")"};
+}
+
+IllegalParameter illegal(std::string key, int value, const std::string& range, const std::string& reason) {
+  std::string message = key + " = " + std::to_string(value) + " is not " + range + ": " + reason;
+  return {std::move(key), std::move(message)};
+}
+
+// Widest operand of each stage; the derivations are those of docs/numerics.md.
+
+int interpolate_bits(const Config& c) {
+  int width = c.vector_width();
+  if (c.has_texture()) width = std::max(width, c.uv_width());
+  if (c.has_texture() && c.perspective != 0) width = std::max({width, c.q_bits, 6 + c.lod_fraction_bits()});
+  if (c.depth != 0) width = std::max(width, c.depth_bits);
+  return width + c.guard_bits;  // accumulators are modular: no bit is lost to a sign
+}
+
+int perspective_bits(const Config& c) {
+  if (!c.has_texture() || c.perspective == 0) return 0;
+  const ReciprocalGeometry g{c.q_bits, c.reciprocal_bits};
+  const int table = g.output_bits + kReciprocalGuard + 2 + g.offset_bits();
+  const int doubled_product = c.uv_width() + c.reciprocal_bits + 2;
+  return std::max(table, doubled_product);
+}
+
+int texture_bits(const Config& c) {
+  if (!c.has_texture()) return 0;
+  const int scaled_coordinate = c.uv_width() + c.coordinate_shift() + 1;
+  const int doubled_code = c.texel_bits + c.filter_fraction_bits() + 2;
+  return std::max({scaled_coordinate, doubled_code, c.vector_width()});
+}
+
+int normalize_bits(const Config& c) {
+  const RsqrtGeometry& g = rsqrt_geometry(c.unit_bits);
+  const int magnitude = c.vector_bits + 1;
+  const int sum = std::max(2 * magnitude + 3, g.input_bits + 1);
+  const int table = g.output_bits + g.guard_bits + 2 + g.offset_bits();
+  const int product = magnitude + g.output_bits + 2;
+  const int bypass = std::max(c.vector_width(), c.unit_bits + 2) + 1;
+  return std::max({sum, table, product, bypass});
+}
+
+int light_bits(const Config& c) {
+  const auto magnitude = [&](int normalizer) {
+    return c.unit_bits + (normalizer == static_cast<int>(Normalizer::kNone) ? 1 : 0);
+  };
+  const int other =
+      c.has_halfangle() ? std::max(magnitude(c.normalizer_l), magnitude(c.normalizer_h)) : magnitude(c.normalizer_l);
+  const int dot = magnitude(c.normalizer_n) + other + 3;
+  const int shift = c.dot_bits + 5;
+  return std::max({dot, shift, 2 * c.dot_bits + 2, 2 * c.power_bits + 2});
+}
+
+int output_bits(const Config& c) {
+  const int with_decal = c.colour_bits + c.dot_bits + c.texel_bits + 3;
+  return std::max(2 * c.colour_bits + c.power_bits + 3, c.decal != 0 ? with_decal : 0);
+}
+
+}  // namespace
+
+std::span<const Parameter> parameters() {
+  static const std::vector<Parameter> list = {
+#define WRINKLE_CHOICE(name, standard, values, description) choice(#name, &Config::name, standard, values, description),
+#define WRINKLE_WIDTH(name, standard, minimum, maximum, description) \
+  {#name, &Config::name, standard, minimum, maximum, {}, description},
+#include "golden/parameters.def"
+#undef WRINKLE_CHOICE
+#undef WRINKLE_WIDTH
+  };
+  return list;
+}
+
+IllegalParameter check(const Config& config) {
+  for (const Parameter& parameter : parameters())
+    if (auto fault = check_range(config, parameter); !fault.key.empty()) return fault;
+  if (config.dot_bits > 2 * config.unit_bits)
+    return illegal("dot_bits", config.dot_bits, "at most " + std::to_string(2 * config.unit_bits),
+                   "a product of unit vectors has no more than 2 unit_bits fraction bits");
+  if (config.power_bits < config.dot_bits)
+    return illegal("power_bits", config.power_bits, "at least " + std::to_string(config.dot_bits),
+                   "N.H is widened from dot_bits to power_bits before it is squared");
+  if (config.perspective != 0 && config.reciprocal_bits < config.q_bits - 1)
+    return illegal("reciprocal_bits", config.reciprocal_bits, "at least " + std::to_string(config.q_bits - 1),
+                   "u q times 1/q is scaled by a right shift only, of reciprocal_bits less the leading zeros of q");
+  return {};
+}
+
+int widest_operand_bits(const Config& config) {
+  return std::max({interpolate_bits(config), perspective_bits(config), texture_bits(config), normalize_bits(config),
+                   light_bits(config), output_bits(config)});
+}
+
+int lane_bits(const Config& config) { return widest_operand_bits(config) <= 32 ? 32 : 64; }
+
+}  // namespace wrinkle
