@@ -1,0 +1,31 @@
+// From mip chains in float to the texel words of a configuration.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "golden/config.h"
+#include "golden/texel/normal_map.h"
+#include "golden/texel/texture.h"
+
+namespace wrinkle {
+
+// One texture from a chain of normals and a chain of colours in [0, 1], either of which may be empty: normals are then
+// (0, 0, 1), colours 1. Chains of different sizes are brought to the larger one: the finer levels that the smaller
+// chain lacks are interpolated from its level 0.
+ExactTexture assemble(const MipChain& normals, const MipChain& decal);
+
+// Flat and white, 1 x 1: what a draw reads that needs texels and has none.
+ExactTexture flat_texture();
+
+// Code of a normal component n (full scale 1) in T bits. `range`, 2c - (2^T - 1): c = round((n + 1) / 2 (2^T - 1)), so
+// that an 8-bit image of a normal map comes back as its own codes. `offset`, c - 2^(T-1): c = 2^(T-1) + round(n
+// (2^(T-1) - 1)), so that (0, 0, 1) is exact. n is limited to [-1, 1].
+std::uint64_t normal_code(double n, Decode decode, int texel_bits);
+// Code of a colour in [0, 1]: round(c (2^T - 1)).
+std::uint64_t decal_code(double c, int texel_bits);
+
+// The components that the configuration has (three of normal if it has bump mapping, three of decal if it has that).
+Texture quantise(const ExactTexture& exact, const Config& config);
+
+}  // namespace wrinkle

@@ -1,0 +1,128 @@
+#include "golden/vertex/tessellate.h"
+
+#include <algorithm>
+#include <map>
+
+#include "golden/vertex/surfaces.h"
+
+namespace wrinkle {
+namespace {
+
+Vertex surface_vertex(const Surface& surface, double u, double v) {
+  const SurfacePoint s = surface.at(u, v);
+  return {s.P, s.N, surface_tangent(surface, u, v, s.N), 1, {u, 1 - v}, {u, v}};
+}
+
+void add_triangle(Mesh& mesh, std::uint32_t surface, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const Vec3 A = mesh.vertices[a].P, B = mesh.vertices[b].P, C = mesh.vertices[c].P;
+  if (A == B || B == C || C == A) return;
+  mesh.triangles.push_back({a, b, c});
+  mesh.triangle_surface.push_back(surface);
+}
+
+void add_surface(Mesh& mesh, std::uint32_t index, int nu, int nv) {
+  const Surface& surface = *mesh.surfaces[index];
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const auto corner = [&](int i, int j) { return first + static_cast<std::uint32_t>(j * (nu + 1) + i); };
+  for (int j = 0; j <= nv; ++j) {
+    for (int i = 0; i <= nu; ++i) {
+      mesh.vertices.push_back(surface_vertex(surface, static_cast<double>(i) / nu, static_cast<double>(j) / nv));
+    }
+  }
+  for (int j = 0; j < nv; ++j) {
+    for (int i = 0; i < nu; ++i) {
+      add_triangle(mesh, index, corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
+      add_triangle(mesh, index, corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
+    }
+  }
+}
+
+double corner_angle(Vec3 at, Vec3 a, Vec3 b) {
+  const Vec3 x = a - at, y = b - at;
+  return std::atan2(length(cross(x, y)), dot(x, y));
+}
+
+}  // namespace
+
+Mesh tessellate(const Surfaces& surfaces, int nu, int nv) {
+  Mesh mesh;
+  mesh.surfaces = surfaces;
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) add_surface(mesh, i, nu, nv);
+  return mesh;
+}
+
+Vec3 surface_tangent(const Surface& surface, double u, double v, Vec3 N) {
+  constexpr double kStep = 1e-4;
+  constexpr double kPole = 1e-9;
+  const SurfacePoint s = surface.at(u, v);
+  if (length(s.Pu) > kPole * length(s.Pv)) return perpendicular(N, s.Pu);
+  return perpendicular(N, surface.at(u, v < 0.5 ? v + kStep : v - kStep).Pu);
+}
+
+Vec3 perpendicular(Vec3 n, Vec3 wish) {
+  const Vec3 w = normalize(wish);
+  const Vec3 t = w - dot(w, n) * n;
+  // What is left of a direction along n is rounding noise.
+  if (length(t) > 1e-6) return normalize(t);
+  const Vec3 other = std::abs(n.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  return normalize(other - dot(other, n) * n);
+}
+
+Surfaces make_rectangle() { return {std::make_shared<Rectangle>(Vec3{-0.5, -0.5, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0})}; }
+
+Surfaces make_wall(double width, double height) {
+  return {std::make_shared<Rectangle>(Vec3{-width / 2, 0, 0}, Vec3{width, 0, 0}, Vec3{0, height, 0})};
+}
+
+Surfaces make_floor(double width, double depth) {
+  return {std::make_shared<Rectangle>(Vec3{-width / 2, 0, depth / 2}, Vec3{width, 0, 0}, Vec3{0, 0, -depth})};
+}
+
+Surfaces make_cube() {
+  struct Face {
+    Vec3 right, up;
+  };
+  constexpr Face kFaces[] = {{{1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {0, 1, 0}}, {{0, 0, -1}, {0, 1, 0}},
+                             {{0, 0, 1}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, -1}}, {{1, 0, 0}, {0, 0, 1}}};
+  Surfaces faces;
+  for (const Face& face : kFaces) {
+    const Vec3 origin = 0.5 * (cross(face.right, face.up) - face.right - face.up);
+    faces.push_back(std::make_shared<Rectangle>(origin, face.right, face.up));
+  }
+  return faces;
+}
+
+void smooth_normals(Mesh& mesh) {
+  const auto before = [](const Vec3& a, const Vec3& b) {
+    return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
+  };
+  std::map<Vec3, Vec3, decltype(before)> sums(before);
+  for (const auto& triangle : mesh.triangles) {
+    const Vec3 p[3] = {mesh.vertices[triangle[0]].P, mesh.vertices[triangle[1]].P, mesh.vertices[triangle[2]].P};
+    const Vec3 n = normalize(cross(p[1] - p[0], p[2] - p[0]));
+    for (std::size_t i = 0; i < 3; ++i) {
+      Vec3& sum = sums[p[i]];
+      sum = sum + corner_angle(p[i], p[(i + 1) % 3], p[(i + 2) % 3]) * n;
+    }
+  }
+  for (Vertex& vertex : mesh.vertices) {
+    const Vec3 n = normalize(sums[vertex.P]);
+    vertex.N = n == Vec3{} ? Vec3{0, 0, 1} : n;  // in no triangle, or among triangles that cancel out
+  }
+}
+
+void flat_normals(Mesh& mesh) {
+  std::vector<Vertex> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (auto& triangle : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(corners.size());
+    for (const std::uint32_t index : triangle) corners.push_back(mesh.vertices[index]);
+    Vertex* v = &corners[first];
+    const Vec3 n = normalize(cross(v[1].P - v[0].P, v[2].P - v[0].P));
+    for (int i = 0; i < 3; ++i) v[i].N = n == Vec3{} ? Vec3{0, 0, 1} : n;
+    triangle = {first, first + 1, first + 2};
+  }
+  mesh.vertices = std::move(corners);
+}
+
+}  // namespace wrinkle
