@@ -31,7 +31,8 @@ using ExactSink = std::function<void(const ExactFragment&)>;
 void draw_exact(const Config& config, const Frame& frame, const ExactSink& sink);
 
 // As draw_exact, but N', L and H of every pixel are computed in world space from the analytic surface and height field
-// at the pixel's (u, v) [Peercy97 eq. 1-2]; triangles without a surface use their interpolated frame.
+// at the pixel's (u, v) [Peercy97 eq. 1-2]; triangles without a surface are drawn as by
+// draw_exact. ScreenTriangle::surface is taken to be in world space.
 void draw_ideal(const Config& config, const Frame& frame, const ExactSink& sink);
 
 }  // namespace wrinkle

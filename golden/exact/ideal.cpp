@@ -1,0 +1,65 @@
+// Eq. 1-2 at every pixel, in world space, on the true surface.
+#include "golden/exact/exact.h"
+#include "golden/exact/pipeline.h"
+#include "golden/texel/bump.h"
+
+namespace wrinkle {
+namespace {
+
+Vec3 towards(Vec3 from, Vec3 place, bool at_infinity) { return normalize(at_infinity ? place : place - from); }
+
+// The surface parameter at a pixel, interpolated as the perspective demands.
+Vec2 parameter_at(const Corners& corners, const exact::Weights& weights) {
+  Vec2 parameter;
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double weight = weights.b[i] * corners.v[i]->q;
+    parameter = parameter + weight * corners.v[i]->parameter;
+    sum += weight;
+  }
+  return (1 / sum) * parameter;
+}
+
+// N, L and H of the fragment from the surface point; N' from the height field where the draw is bump mapped.
+void shade_surface(const exact::DrawContext& context, const IdealScene& ideal, const HeightField* height,
+                   const SurfacePoint& point, Vec2 parameter, ExactFragment& fragment) {
+  fragment.n = point.N;
+  if (context.words.bump && height != nullptr && length(cross(point.Pu, point.Pv)) > 0) {
+    const Vec2 slope = height->gradient(parameter.x, parameter.y);
+    fragment.n = perturbed_normal_blinn(point.Pu, point.Pv, slope.x, slope.y);
+  }
+  fragment.l = towards(point.P, ideal.light, ideal.light_at_infinity);
+  fragment.h = normalize(fragment.l + towards(point.P, ideal.eye, ideal.eye_at_infinity));
+  fragment.interpolated_n = point.N;
+  fragment.interpolated_l = fragment.l;
+  fragment.interpolated_h = fragment.h;
+  fragment.texture_n = fragment.perturbed_n = fragment.n;
+  const exact::Lit lit =
+      exact::light(context.config, context.words, fragment.n, fragment.l, fragment.h, dot(point.N, fragment.l));
+  fragment.nl = lit.nl;
+  fragment.nh = lit.nh;
+  fragment.diffuse = lit.diffuse;
+  fragment.specular = lit.specular;
+  fragment.colour = exact::output(context.reflectance, fragment.decal, lit);
+}
+
+}  // namespace
+
+void draw_ideal(const Config& config, const Frame& frame, const ExactSink& sink) {
+  const auto visit = [&](const exact::DrawContext& draw, const ScreenTriangle& triangle, const Corners& corners,
+                         const exact::Weights& weights, ExactFragment& fragment) {
+    if (triangle.surface) {
+      const std::size_t index = fragment.draw;
+      const HeightField* height = index < frame.ideal.height.size() ? frame.ideal.height[index].get() : nullptr;
+      const Vec2 parameter = parameter_at(corners, weights);
+      const SurfacePoint point = triangle.surface->at(parameter.x, parameter.y);
+      shade_surface(draw, frame.ideal, height, point, parameter, fragment);
+    } else {
+      exact::shade(draw, fragment);
+    }
+    sink(fragment);
+  };
+  exact::for_each_fragment(config, frame, visit);
+}
+
+}  // namespace wrinkle

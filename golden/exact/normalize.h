@@ -1,0 +1,14 @@
+// Twin of the stage `normalize`.
+#pragma once
+
+#include "golden/config.h"
+#include "golden/vector.h"
+
+namespace wrinkle::exact {
+
+// `normalizer` is Config::normalizer_n, _l or _h. Zero stays zero.
+inline Vec3 normalize(int normalizer, Vec3 v) {
+  return normalizer == static_cast<int>(Normalizer::kFaithful) ? wrinkle::normalize(v) : v;
+}
+
+}  // namespace wrinkle::exact
