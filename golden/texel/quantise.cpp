@@ -56,8 +56,6 @@ ExactTexture assemble(const MipChain& normals, const MipChain& decal) {
   return texture;
 }
 
-ExactTexture flat_texture() { return assemble({}, {}); }
-
 std::uint64_t normal_code(double n, Decode decode, int texel_bits) {
   const double limited = std::clamp(n, -1.0, 1.0);
   const double top = std::ldexp(1, texel_bits) - 1, half = std::ldexp(1, texel_bits - 1);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "golden/config.h"
 #include "golden/texel/normal_map.h"
@@ -14,9 +13,6 @@ namespace wrinkle {
 // (0, 0, 1), colours 1. Chains of different sizes are brought to the larger one: the finer levels that the smaller
 // chain lacks are interpolated from its level 0.
 ExactTexture assemble(const MipChain& normals, const MipChain& decal);
-
-// Flat and white, 1 x 1: what a draw reads that needs texels and has none.
-ExactTexture flat_texture();
 
 // Code of a normal component n (full scale 1) in T bits. `range`, 2c - (2^T - 1): c = round((n + 1) / 2 (2^T - 1)), so
 // that an 8-bit image of a normal map comes back as its own codes. `offset`, c - 2^(T-1): c = 2^(T-1) + round(n

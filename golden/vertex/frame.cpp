@@ -1,0 +1,209 @@
+// The vertex rate: a scene becomes a frame of projected triangles.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "golden/texel/quantise.h"
+#include "golden/vertex/camera.h"
+#include "golden/vertex/clip.h"
+#include "golden/vertex/scene.h"
+#include "golden/vertex/shading.h"
+#include "golden/vertex/surfaces.h"
+#include "golden/vertex/transform.h"
+
+namespace wrinkle {
+namespace {
+
+// What set-up accepts [packet.h], whole pixels.
+GuardBand guard_band(const Config& config) {
+  const double screen = config.screen_size();
+  return {-screen, 2 * screen - 1};
+}
+
+// Twice the signed area on the homogeneous screen, times the w's; negative for counter-clockwise, y being down. Right
+// also where corners lie behind the eye.
+double orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
+  return dot(Vec3{a.x, a.y, a.w}, cross(Vec3{b.x, b.y, b.w}, Vec3{c.x, c.y, c.w}));
+}
+
+std::int64_t orientation(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
+  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
+}
+
+// The analytic surfaces of one object in the world, and their backs.
+class WorldSurfaces {
+ public:
+  explicit WorldSurfaces(const Object& object) : triangle_surface_(object.mesh.triangle_surface) {
+    for (const auto& surface : object.mesh.surfaces) {
+      front_.push_back(transformed(surface, object.to_world));
+      back_.push_back(object.double_sided ? reversed(front_.back()) : nullptr);
+    }
+  }
+  std::shared_ptr<const Surface> of(std::size_t triangle, bool back) const {
+    if (triangle_surface_.empty()) return nullptr;
+    return (back ? back_ : front_)[triangle_surface_[triangle]];
+  }
+
+ private:
+  const std::vector<std::uint32_t>& triangle_surface_;
+  std::vector<std::shared_ptr<const Surface>> front_, back_;
+};
+
+// How a triangle is seen.
+struct Facing {
+  bool clockwise = false;  // on the screen
+  bool back = false;       // and so from behind
+};
+
+class FrameBuilder {
+ public:
+  FrameBuilder(const Config& config, const Scene& scene)
+      : config_(config),
+        scene_(scene),
+        projection_(scene.camera, scene.width, scene.height),
+        lighting_(scene),
+        band_(guard_band(config)) {}
+
+  Frame build() {
+    frame_.name = scene_.name;
+    frame_.width = scene_.width;
+    frame_.height = scene_.height;
+    frame_.background = {scene_.background.x, scene_.background.y, scene_.background.z};
+    frame_.ideal.eye = lighting_.eye();
+    frame_.ideal.eye_at_infinity = scene_.viewer_at_infinity;
+    frame_.ideal.light = lighting_.light();
+    frame_.ideal.light_at_infinity = scene_.light.at_infinity;
+    for (const Object& object : scene_.objects) add(object);
+    return std::move(frame_);
+  }
+
+ private:
+  void add(const Object& object);
+  DrawState state_of(const Object& object);
+  int texture_index(const std::shared_ptr<const ExactTexture>& texture);
+  std::vector<ClipVertex> shade(const Object& object, bool tangent_space) const;
+  void add_triangle(const std::array<const ClipVertex*, 3>& corners, Facing facing, const ScreenTriangle& blank,
+                    Draw& draw) const;
+  ScreenVertex snap(const ClipVertex& vertex, const DrawState& state, bool back) const;
+
+  const Config& config_;
+  const Scene& scene_;
+  Projection projection_;
+  Lighting lighting_;
+  GuardBand band_;
+  Frame frame_;
+  std::map<std::shared_ptr<const ExactTexture>, int> texture_of_;
+  std::uint32_t next_id_ = 0;
+};
+
+int FrameBuilder::texture_index(const std::shared_ptr<const ExactTexture>& texture) {
+  const auto [entry, is_new] = texture_of_.try_emplace(texture, static_cast<int>(frame_.textures.size()));
+  if (is_new) {
+    frame_.textures.push_back(quantise(*texture, config_));
+    frame_.exact_textures.push_back(*texture);
+  }
+  return entry->second;
+}
+
+// Without a texture (or a datapath) there is nothing to perturb the normal with: the object is lit in world space.
+DrawState FrameBuilder::state_of(const Object& object) {
+  DrawState state;
+  state.bump = config_.has_bump() && object.space == ShadingSpace::kTangent && object.texture;
+  state.textured = state.bump || (config_.decal != 0 && object.texture);
+  state.shadow = object.shadow;
+  state.wrap_u = object.wrap_u;
+  state.wrap_v = object.wrap_v;
+  state.texture = state.textured ? texture_index(object.texture) : 0;
+  state.material = object.material;
+  return state;
+}
+
+std::vector<ClipVertex> FrameBuilder::shade(const Object& object, bool tangent_space) const {
+  std::vector<ClipVertex> vertices;
+  vertices.reserve(object.mesh.vertices.size());
+  for (const Vertex& vertex : object.mesh.vertices) {
+    ClipVertex v;
+    v.P = transform_point(object.to_world, vertex.P);
+    v.screen = projection_(v.P);
+    v.uv = vertex.uv;
+    v.parameter = vertex.parameter;
+    const LightVectors light = lighting_.at(v.P);
+    const TangentFrame frame = tangent_frame(vertex, object.to_world);
+    v.N = tangent_space ? Vec3{0, 0, 1} : frame.N;
+    v.L = tangent_space ? to_tangent_space(frame, light.L) : light.L;
+    v.H = tangent_space ? to_tangent_space(frame, light.H) : light.H;
+    vertices.push_back(v);
+  }
+  return vertices;
+}
+
+void FrameBuilder::add(const Object& object) {
+  Draw draw;
+  draw.state = state_of(object);
+  frame_.ideal.height.push_back(object.height);
+  const std::vector<ClipVertex> vertices = shade(object, draw.state.bump);
+  const WorldSurfaces surfaces(object);
+  // A matrix that mirrors turns all windings round.
+  const bool mirrored = determinant3(object.to_world) < 0;
+  for (std::size_t i = 0; i < object.mesh.triangles.size(); ++i) {
+    const auto& t = object.mesh.triangles[i];
+    const std::array corners{&vertices[t[0]], &vertices[t[1]], &vertices[t[2]]};
+    const double turn = orientation(corners[0]->screen, corners[1]->screen, corners[2]->screen);
+    const Facing facing{turn > 0, (turn > 0) != mirrored};
+    const std::uint32_t id = next_id_++;
+    if (turn == 0 || (facing.back && !object.double_sided)) continue;
+    ScreenTriangle blank;
+    blank.id = id;
+    blank.surface = surfaces.of(i, facing.back);
+    add_triangle(corners, facing, blank, draw);
+  }
+  frame_.draws.push_back(std::move(draw));
+}
+
+// The parts of the triangle that are left by clipping, as a fan. A part that snapping to the grid has flattened or
+// turned over covers nothing that its neighbours do not.
+void FrameBuilder::add_triangle(const std::array<const ClipVertex*, 3>& corners, Facing facing,
+                                const ScreenTriangle& blank, Draw& draw) const {
+  const ClipPolygon polygon = clip(corners, band_);
+  if (polygon.count < 3) return;
+  const ScreenVertex first = snap(polygon.corner[0], draw.state, facing.back);
+  ScreenVertex last = snap(polygon.corner[1], draw.state, facing.back);
+  for (int i = 2; i < polygon.count; ++i) {
+    const ScreenVertex next = snap(polygon.corner[static_cast<std::size_t>(i)], draw.state, facing.back);
+    const std::int64_t turn = orientation(first, last, next);
+    if (turn != 0 && (turn > 0) == facing.clockwise) {
+      ScreenTriangle& triangle = draw.triangles.emplace_back(blank);
+      triangle.v = {first, last, next};
+    }
+    last = next;
+  }
+}
+
+// From behind, the whole frame is turned round, as in glTF: the perturbed normal of the back is the opposite of that
+// of the front, and what is a bump on one side is a dent on the other.
+ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state, bool back) const {
+  const double grid = std::ldexp(1, config_.subpixel_bits);
+  const auto to_grid = [&](double pixels) {
+    return static_cast<std::int32_t>(std::floor(std::clamp(pixels, band_.low, band_.high) * grid + 0.5));
+  };
+  const ScreenPoint& p = vertex.screen;
+  const bool turn_light = back && state.bump;
+  ScreenVertex v;
+  v.x = to_grid(p.x / p.w);
+  v.y = to_grid(p.y / p.w);
+  v.z = std::clamp(p.z / p.w, 0.0, 1.0);
+  v.q = 1 / p.w;
+  v.uv = vertex.uv;
+  v.N = back && !state.bump ? -vertex.N : vertex.N;
+  v.L = turn_light ? -vertex.L : vertex.L;
+  v.H = turn_light ? -vertex.H : vertex.H;
+  v.parameter = vertex.parameter;
+  v.P = vertex.P;
+  return v;
+}
+
+}  // namespace
+
+Frame build_frame(const Config& config, const Scene& scene) { return FrameBuilder(config, scene).build(); }
+
+}  // namespace wrinkle

@@ -1,0 +1,28 @@
+#include "golden/vertex/shading.h"
+
+#include "golden/vertex/camera.h"
+#include "golden/vertex/tessellate.h"
+#include "golden/vertex/transform.h"
+
+namespace wrinkle {
+
+TangentFrame tangent_frame(const Vertex& vertex, const Mat4& to_world) {
+  const Vec3 N = normalize(transform_normal(to_world, vertex.N));
+  const Vec3 T = perpendicular(N, transform_direction(to_world, vertex.T));
+  const double sign = determinant3(to_world) < 0 ? -vertex.sign : vertex.sign;
+  return {T, sign * cross(N, T), N};
+}
+
+Lighting::Lighting(const Scene& scene)
+    : eye_at_infinity_(scene.viewer_at_infinity),
+      light_at_infinity_(scene.light.at_infinity),
+      eye_(scene.viewer_at_infinity ? viewer_direction(scene.camera) : eye_position(scene.camera)),
+      light_(scene.light.at_infinity ? normalize(scene.light.position) : scene.light.position) {}
+
+LightVectors Lighting::at(Vec3 P) const {
+  const Vec3 L = light_at_infinity_ ? light_ : normalize(light_ - P);
+  const Vec3 V = eye_at_infinity_ ? eye_ : normalize(eye_ - P);
+  return {L, normalize(L + V)};
+}
+
+}  // namespace wrinkle
