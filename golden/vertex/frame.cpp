@@ -61,7 +61,7 @@ class FrameBuilder {
       : config_(config),
         scene_(scene),
         projection_(scene.camera, scene.width, scene.height),
-        lighting_(scene),
+        illumination_(scene),
         band_(guard_band(config)) {}
 
   Frame build() {
@@ -69,9 +69,9 @@ class FrameBuilder {
     frame_.width = scene_.width;
     frame_.height = scene_.height;
     frame_.background = {scene_.background.x, scene_.background.y, scene_.background.z};
-    frame_.ideal.eye = lighting_.eye();
+    frame_.ideal.eye = illumination_.eye();
     frame_.ideal.eye_at_infinity = scene_.viewer_at_infinity;
-    frame_.ideal.light = lighting_.light();
+    frame_.ideal.light = illumination_.light();
     frame_.ideal.light_at_infinity = scene_.light.at_infinity;
     for (const Object& object : scene_.objects) add(object);
     return std::move(frame_);
@@ -89,7 +89,7 @@ class FrameBuilder {
   const Config& config_;
   const Scene& scene_;
   Projection projection_;
-  Lighting lighting_;
+  Illumination illumination_;
   GuardBand band_;
   Frame frame_;
   std::map<std::shared_ptr<const ExactTexture>, int> texture_of_;
@@ -127,7 +127,7 @@ std::vector<ClipVertex> FrameBuilder::shade(const Object& object, bool tangent_s
     v.screen = projection_(v.P);
     v.uv = vertex.uv;
     v.parameter = vertex.parameter;
-    const LightVectors light = lighting_.at(v.P);
+    const LightVectors light = illumination_.at(v.P);
     const TangentFrame frame = tangent_frame(vertex, object.to_world);
     v.N = tangent_space ? Vec3{0, 0, 1} : frame.N;
     v.L = tangent_space ? to_tangent_space(frame, light.L) : light.L;

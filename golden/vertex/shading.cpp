@@ -13,13 +13,13 @@ TangentFrame tangent_frame(const Vertex& vertex, const Mat4& to_world) {
   return {T, sign * cross(N, T), N};
 }
 
-Lighting::Lighting(const Scene& scene)
+Illumination::Illumination(const Scene& scene)
     : eye_at_infinity_(scene.viewer_at_infinity),
       light_at_infinity_(scene.light.at_infinity),
       eye_(scene.viewer_at_infinity ? viewer_direction(scene.camera) : eye_position(scene.camera)),
       light_(scene.light.at_infinity ? normalize(scene.light.position) : scene.light.position) {}
 
-LightVectors Lighting::at(Vec3 P) const {
+LightVectors Illumination::at(Vec3 P) const {
   const Vec3 L = light_at_infinity_ ? light_ : normalize(light_ - P);
   const Vec3 V = eye_at_infinity_ ? eye_ : normalize(eye_ - P);
   return {L, normalize(L + V)};

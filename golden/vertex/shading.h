@@ -27,9 +27,9 @@ struct LightVectors {
 };
 
 // The light and the viewer, each at a point or at infinity. H = normalize(L + V).
-class Lighting {
+class Illumination {
  public:
-  explicit Lighting(const Scene& scene);
+  explicit Illumination(const Scene& scene);
   LightVectors at(Vec3 P) const;
   const Vec3& eye() const { return eye_; }      // position, or direction towards it
   const Vec3& light() const { return light_; }  // position, or direction towards it
