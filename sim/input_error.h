@@ -1,0 +1,33 @@
+// The one error of bad input: thrown by every reader, caught in main, exit code 2.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace wrinkle {
+
+// Where something was found: a file, and in it a line and column (0 = not known) or a place such as /accessors/3/count.
+struct Place {
+  std::string file;
+  unsigned line = 0, column = 0;
+  std::string inner;
+
+  std::string text() const {
+    std::string t = file;
+    if (line > 0) t += ":" + std::to_string(line);
+    if (line > 0 && column > 0) t += ":" + std::to_string(column);
+    if (!inner.empty()) t += ": " + inner;
+    return t;
+  }
+};
+
+class InputError : public std::runtime_error {
+ public:
+  // "scene.toml:12:7: found X, expected Y".
+  InputError(const Place& place, const std::string& found, const std::string& expected)
+      : std::runtime_error(place.text() + ": found " + found + ", expected " + expected) {}
+  // For what has no expectation of its own: "scene.toml:12:7: message".
+  InputError(const Place& place, const std::string& message) : std::runtime_error(place.text() + ": " + message) {}
+};
+
+}  // namespace wrinkle

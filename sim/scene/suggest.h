@@ -1,0 +1,20 @@
+// Names for messages: "did you mean".
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wrinkle {
+
+// Levenshtein's distance.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+// "; did you mean \"name\"?" for the candidate nearest to `word`, or nothing where none is near.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
+
+// `a, b or c`, each in double quotes.
+std::string list_of(std::span<const std::string_view> words);
+
+}  // namespace wrinkle
