@@ -19,7 +19,7 @@ namespace wrinkle {
 inline constexpr int kBatch = 256;
 
 // STAGE_NAME[element][fragment] for every value of components.def, as signed integers in that value's format.
-// Int is std::int32_t or std::int64_t, as lane_bits() says.
+// Int is std::int32_t or std::int64_t, as lane_bits() says. Values and elements a configuration lacks are 0.
 template <class Int>
 struct Batch {
   using Column = std::array<Int, kBatch>;
@@ -65,12 +65,14 @@ std::string_view simd_target();
 // A golden machine: draw state and textures bound, packets in, batches out. Value type; no global state.
 class Golden {
  public:
+  // The textures must outlive it.
   Golden(const Config& config, const std::vector<Texture>& textures, Lanes lanes = Lanes::kSimd);
   ~Golden();
   Golden(Golden&&) noexcept;
   Golden& operator=(Golden&&) noexcept;
 
-  // Called with each full or final batch, in order. Which of the two is decided by lane_bits(config); scalar and checked are wide.
+  // Called with each full or final batch, in order. Which of the two is decided by lane_bits(config); scalar and
+  // checked are wide.
   struct Sink {
     std::function<void(const Batch<std::int32_t>&)> narrow;
     std::function<void(const Batch<std::int64_t>&)> wide;

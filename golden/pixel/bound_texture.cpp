@@ -1,0 +1,45 @@
+#include "golden/pixel/bound_texture.h"
+
+#include <algorithm>
+
+namespace wrinkle {
+namespace {
+
+// Stored positions along an axis of 2^n texels, one right of the last included.
+int extent(int size, Wrap wrap) {
+  if (wrap == Wrap::kMirror) return 2 * size + 1;
+  return wrap == Wrap::kClamp ? size + 2 : size + 1;
+}
+
+// The texel at a stored position.
+int source(int position, int size, Wrap wrap) {
+  if (wrap == Wrap::kClamp) return std::clamp(position - 1, 0, size - 1);
+  const bool inverted = wrap == Wrap::kMirror && (position & size) != 0;
+  return (inverted ? ~position : position) & (size - 1);
+}
+
+}  // namespace
+
+BoundTexture bind_texture(const Texture& texture, Wrap wrap_u, Wrap wrap_v) {
+  BoundTexture bound;
+  const int half_bits = 3 * texture.component_bits;
+  const std::uint64_t half_mask = (std::uint64_t{1} << half_bits) - 1;
+  const bool has_second = texture.components > 3;
+  for (std::size_t level = 0; level < texture.levels.size(); ++level) {
+    const int width = texture.width(static_cast<int>(level)), height = texture.height(static_cast<int>(level));
+    const int columns = extent(width, wrap_u), rows = extent(height, wrap_v);
+    bound.offset[level] = static_cast<std::int32_t>(bound.low.size());
+    bound.stride[level] = columns;
+    for (int y = 0; y < rows; ++y) {
+      const auto row = static_cast<std::size_t>(source(y, height, wrap_v)) * static_cast<std::size_t>(width);
+      for (int x = 0; x < columns; ++x) {
+        const std::uint64_t texel = texture.levels[level][row + static_cast<std::size_t>(source(x, width, wrap_u))];
+        bound.low.push_back(static_cast<std::uint32_t>(texel & half_mask));
+        if (has_second) bound.high.push_back(static_cast<std::uint32_t>(texel >> half_bits & half_mask));
+      }
+    }
+  }
+  return bound;
+}
+
+}  // namespace wrinkle

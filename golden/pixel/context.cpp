@@ -1,0 +1,47 @@
+#include "golden/pixel/context.h"
+
+#include <utility>
+
+namespace wrinkle {
+namespace {
+
+template <class Int>
+void fill(const Context& context, Tables<Int>& tables) {
+  const RsqrtGeometry& g = context.rsqrt;
+  const std::int64_t leading = std::int64_t{1} << (g.output_bits + g.guard_bits);
+  for (const Segment& s : rsqrt_table(g))
+    tables.rsqrt.push_back(static_cast<Int>(((s.base - leading) << kSlopeBits) | s.slope));
+  if (context.config.perspective == 0) return;
+  for (const Segment& s : reciprocal_table(context.reciprocal)) {
+    tables.reciprocal_base.push_back(s.base);
+    tables.reciprocal_slope.push_back(s.slope);
+  }
+}
+
+}  // namespace
+
+Context make_context(const Config& config) {
+  Context context;
+  context.config = config;
+  for (const ComponentFormat& format : component_formats(config))
+    context.planes.push_back({format.component, format.width, format.is_signed});
+  context.rsqrt = rsqrt_geometry(config.unit_bits);
+  context.reciprocal = {config.q_bits, config.reciprocal_bits};
+  fill(context, context.narrow);
+  fill(context, context.wide);
+  return context;
+}
+
+void bind(Context& context, const DrawWords& draw, std::shared_ptr<const BoundTexture> texture) {
+  context.draw = draw;
+  context.texture = std::move(texture);
+  if (context.texture == nullptr) return;
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    context.narrow.level_offset[level] = context.texture->offset[level];
+    context.narrow.level_stride[level] = context.texture->stride[level];
+    context.wide.level_offset[level] = context.texture->offset[level];
+    context.wide.level_stride[level] = context.texture->stride[level];
+  }
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,59 @@
+// What the stages read besides the fragments: configuration, draw state, tables, textures. Constant during a batch.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "golden/config.h"
+#include "golden/pixel/bound_texture.h"
+#include "golden/pixel/reciprocal.h"
+#include "golden/pixel/rsqrt.h"
+#include "golden/triangle/packet.h"
+
+namespace wrinkle {
+
+// Slopes of a packed segment; the base above them has its leading bit, always set, left out.
+inline constexpr int kSlopeBits = 13;
+
+// Tables in lanes of one width.
+template <class Int>
+struct Tables {
+  std::vector<Int> rsqrt;  // (base - 2^(RB+g)) << kSlopeBits | slope
+  std::vector<Int> reciprocal_base, reciprocal_slope;
+  std::array<Int, kLevels> level_offset{}, level_stride{};
+};
+
+// One interpolated component and its place in a lane.
+struct Plane {
+  Component component;
+  int width;  // without guard bits
+  bool is_signed;
+};
+
+struct Context {
+  Config config;
+  DrawWords draw;
+  std::vector<Plane> planes;
+  RsqrtGeometry rsqrt;
+  ReciprocalGeometry reciprocal;
+  Tables<std::int32_t> narrow;
+  Tables<std::int64_t> wide;
+  std::shared_ptr<const BoundTexture> texture;  // null where the draw fetches no texels
+
+  template <class Int>
+  const Tables<Int>& tables() const {
+    if constexpr (sizeof(Int) == 4)
+      return narrow;
+    else
+      return wide;
+  }
+};
+
+// The configuration must be legal.
+Context make_context(const Config& config);
+// Replaces the draw state; `texture` as DrawWords::texture names it, null where nothing is fetched.
+void bind(Context& context, const DrawWords& draw, std::shared_ptr<const BoundTexture> texture);
+
+}  // namespace wrinkle

@@ -1,0 +1,123 @@
+// The golden machine: packets to spans, spans to batches, batches through the stages.
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+#include "golden/pixel/row_engine.h"
+#include "golden/pixel/stages.h"
+
+namespace wrinkle {
+namespace {
+
+// Gathers the spans of many rows and triangles into batches.
+template <class Int>
+class Gatherer {
+ public:
+  using Hand = std::function<void(const Batch<Int>&)>;
+  Gatherer(Lanes lanes, const Context& context, const Hand& hand) : lanes_(lanes), context_(context), hand_(hand) {}
+
+  void add(const TriangleWords& triangle, std::uint32_t packet) {
+    RowEngine<Int> rows(context_, triangle);
+    bool drawn = false;
+    while (rows.next_row()) {
+      drawn = true;
+      for (int done = 0; done < rows.count();) done += add_span(rows, triangle, packet, done);
+    }
+    if (drawn) spans_->span[static_cast<std::size_t>(spans_->count - 1)].last = true;
+  }
+
+  // Called only when another fragment or nothing follows: till then the last pixel of a packet may yet be marked.
+  void flush() {
+    if (batch_->count == 0) return;
+    run_stages(lanes_, context_, kAllStages, *spans_, *batch_);
+    hand_(*batch_);
+    batch_->count = 0;
+    spans_->count = 0;
+  }
+
+ private:
+  // As many pixels of the row, from its pixel `done` on, as fit into the batch.
+  int add_span(const RowEngine<Int>& rows, const TriangleWords& triangle, std::uint32_t packet, int done) {
+    if (batch_->count == kBatch) flush();
+    Span<Int>& span = spans_->span[static_cast<std::size_t>(spans_->count++)];
+    span.first = batch_->count;
+    span.count = std::min(rows.count() - done, kBatch - batch_->count);
+    span.w = rows.w() + done;
+    span.y = rows.y();
+    span.mirror = triangle.mirror;
+    span.last = false;
+    span.packet = packet;
+    span.lod = triangle.lod;
+    span.value = rows.value();
+    span.dw = rows.dw();
+    using Unsigned = std::make_unsigned_t<Int>;
+    if (done > 0)
+      for (std::size_t i = 0; i < kPlanes; ++i)
+        span.value[i] = static_cast<Int>(static_cast<Unsigned>(span.value[i]) +
+                                         static_cast<Unsigned>(done) * static_cast<Unsigned>(span.dw[i]));
+    batch_->count += span.count;
+    return span.count;
+  }
+
+  Lanes lanes_;
+  const Context& context_;
+  const Hand& hand_;
+  std::unique_ptr<Batch<Int>> batch_ = std::make_unique<Batch<Int>>();
+  std::unique_ptr<Spans<Int>> spans_ = std::make_unique<Spans<Int>>();
+};
+
+}  // namespace
+
+struct Golden::State {
+  Lanes lanes;
+  const std::vector<Texture>& textures;
+  Context context;
+  std::map<std::tuple<int, int, int>, std::shared_ptr<const BoundTexture>> bound;
+
+  // The private copy of a texture for the wrap modes of a draw, made when first met.
+  std::shared_ptr<const BoundTexture> texture_of(const DrawWords& draw) {
+    if (!draw.textured || !context.config.has_texture()) return nullptr;
+    auto& copy = bound[{draw.texture, draw.wrap_u, draw.wrap_v}];
+    if (copy == nullptr)
+      copy =
+          std::make_shared<BoundTexture>(bind_texture(textures.at(static_cast<std::size_t>(draw.texture)),
+                                                      static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v)));
+    return copy;
+  }
+
+  template <class Int>
+  void draw(std::span<const std::uint64_t> words, const std::function<void(const Batch<Int>&)>& hand) {
+    Gatherer<Int> gatherer(lanes, context, hand);
+    const auto triangle_words = static_cast<std::size_t>(triangle_word_count(context.config));
+    std::uint32_t packet = 0;
+    while (!words.empty()) {
+      const bool is_triangle = (words[0] & 15) == kOpcodeTriangle;
+      const std::size_t size = is_triangle ? triangle_words : kDrawWords;
+      if (words.size() < size) throw std::invalid_argument("the last packet is cut short");
+      if (is_triangle) {
+        gatherer.add(decode_triangle(context.config, words.first(size)), packet++);
+      } else {
+        gatherer.flush();
+        const DrawWords state = decode_draw(words.first(size));
+        bind(context, state, texture_of(state));
+      }
+      words = words.subspan(size);
+    }
+    gatherer.flush();
+  }
+};
+
+Golden::Golden(const Config& config, const std::vector<Texture>& textures, Lanes lanes)
+    : state_(new State{lanes, textures, make_context(config), {}}) {}
+Golden::~Golden() = default;
+Golden::Golden(Golden&&) noexcept = default;
+Golden& Golden::operator=(Golden&&) noexcept = default;
+
+void Golden::draw(std::span<const std::uint64_t> words, const Sink& sink) {
+  if (state_->lanes == Lanes::kSimd && lane_bits(state_->context.config) == 32)
+    state_->draw<std::int32_t>(words, sink.narrow);
+  else
+    state_->draw<std::int64_t>(words, sink.wide);
+}
+
+}  // namespace wrinkle

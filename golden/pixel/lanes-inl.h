@@ -1,0 +1,207 @@
+// Lanes: the integers that the stages compute with. The stages are templates over one of these classes and name every
+// operation through it, so that one source is the scalar model, the checked one and, target by target, the SIMD one.
+//
+//   add sub mul shl sar ...     exact: the result must fit the lane, which CheckedLanes verifies
+//   add_modular mul_modular     modulo 2^lane, for accumulators kept left-aligned
+//
+// `n` of a shift is the same for all lanes; shl_each and sar_each take one count a lane.
+#if defined(GOLDEN_PIXEL_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GOLDEN_PIXEL_LANES_INL_H_
+#undef GOLDEN_PIXEL_LANES_INL_H_
+#else
+#define GOLDEN_PIXEL_LANES_INL_H_
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace wrinkle {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// One fragment at a time in plain 64-bit integers. With kIsChecked, every exact result must fit `bits`.
+template <bool kIsChecked>
+struct ScalarLanes {
+  using Int = std::int64_t;
+  using V = std::int64_t;
+  using M = bool;
+  static constexpr int kBits = 64;
+  int bits = 64;
+
+  static constexpr int size() { return 1; }
+  V checked(V v) const {
+    if constexpr (kIsChecked) {
+      if (v >> (bits - 1) != v >> 63) throw std::logic_error("an operation leaves the lane");
+    }
+    return v;
+  }
+
+  V set(Int x) const { return x; }
+  V iota() const { return 0; }
+  V load(const Int* p) const { return *p; }
+  void store(V v, Int* p) const { *p = v; }
+  void store_first(V v, int, Int* p) const { *p = v; }
+
+  V add(V a, V b) const { return checked(a + b); }
+  V sub(V a, V b) const { return checked(a - b); }
+  V mul(V a, V b) const { return checked(a * b); }
+  V add_modular(V a, V b) const { return wrap(unsigned_of(a) + unsigned_of(b)); }
+  V mul_modular(V a, V b) const { return wrap(unsigned_of(a) * unsigned_of(b)); }
+  V shl_modular(V a, int n) const { return wrap(unsigned_of(a) << n); }
+  V sar_modular(V a, int n) const { return a >> n; }
+  V shr_modular(V a, int n) const { return wrap(unsigned_of(a) >> n); }
+  V shl(V a, int n) const { return checked(wrap(unsigned_of(a) << n)); }
+  V sar(V a, int n) const { return a >> n; }
+  V shl_each(V a, V n) const { return checked(wrap(unsigned_of(a) << n)); }
+  V sar_each(V a, V n) const { return a >> n; }
+  V min(V a, V b) const { return std::min(a, b); }
+  V max(V a, V b) const { return std::max(a, b); }
+  V and_(V a, V b) const { return a & b; }
+  V or_(V a, V b) const { return a | b; }
+  V xor_(V a, V b) const { return a ^ b; }
+  M less(V a, V b) const { return a < b; }
+  M equal(V a, V b) const { return a == b; }
+  V select(M m, V yes, V no) const { return m ? yes : no; }
+
+  // floor(log2(v)) of v in [1, 2^24); anything for 0.
+  V floor_log2(V v) const { return static_cast<V>(std::bit_width(static_cast<std::uint64_t>(v))) - 1; }
+  V lookup(const Int* table, V index) const { return table[index]; }
+  V lookup16(const Int* table, V index) const { return table[index]; }
+  // The low or high half of 64-bit words.
+  V low_half(const std::uint64_t* p) const { return static_cast<V>(*p & 0xffffffffu); }
+  V high_half(const std::uint64_t* p) const { return static_cast<V>(*p >> 32); }
+
+ private:
+  static std::uint64_t unsigned_of(V v) { return static_cast<std::uint64_t>(v); }
+  static V wrap(std::uint64_t v) { return static_cast<V>(v); }
+};
+
+// As many lanes as the target has. T is std::int32_t or std::int64_t.
+template <class T>
+struct SimdLanes {
+  using Int = T;
+  using D = hn::ScalableTag<T>;
+  using U = hn::RebindToUnsigned<D>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+  static constexpr int kBits = 8 * sizeof(T);
+
+  static int size() { return static_cast<int>(hn::Lanes(D())); }
+
+  HWY_INLINE V set(Int x) const { return hn::Set(D(), x); }
+  HWY_INLINE V iota() const { return hn::Iota(D(), T{0}); }
+  HWY_INLINE V load(const Int* p) const { return hn::LoadU(D(), p); }
+  HWY_INLINE void store(V v, Int* p) const { hn::StoreU(v, D(), p); }
+  HWY_INLINE void store_first(V v, int n, Int* p) const {
+    hn::BlendedStore(v, hn::FirstN(D(), static_cast<std::size_t>(n)), D(), p);
+  }
+
+  HWY_INLINE V add(V a, V b) const { return hn::Add(a, b); }
+  HWY_INLINE V sub(V a, V b) const { return hn::Sub(a, b); }
+  HWY_INLINE V mul(V a, V b) const { return hn::Mul(a, b); }
+  HWY_INLINE V add_modular(V a, V b) const { return hn::Add(a, b); }
+  HWY_INLINE V mul_modular(V a, V b) const { return hn::Mul(a, b); }
+  HWY_INLINE V shl_modular(V a, int n) const { return hn::ShiftLeftSame(a, n); }
+  HWY_INLINE V sar_modular(V a, int n) const { return hn::ShiftRightSame(a, n); }
+  HWY_INLINE V shr_modular(V a, int n) const { return hn::BitCast(D(), hn::ShiftRightSame(hn::BitCast(U(), a), n)); }
+  HWY_INLINE V shl(V a, int n) const { return hn::ShiftLeftSame(a, n); }
+  HWY_INLINE V sar(V a, int n) const { return hn::ShiftRightSame(a, n); }
+  HWY_INLINE V shl_each(V a, V n) const { return hn::Shl(a, n); }
+  HWY_INLINE V sar_each(V a, V n) const { return hn::Shr(a, n); }
+  HWY_INLINE V min(V a, V b) const { return hn::Min(a, b); }
+  HWY_INLINE V max(V a, V b) const { return hn::Max(a, b); }
+  HWY_INLINE V and_(V a, V b) const { return hn::And(a, b); }
+  HWY_INLINE V or_(V a, V b) const { return hn::Or(a, b); }
+  HWY_INLINE V xor_(V a, V b) const { return hn::Xor(a, b); }
+  HWY_INLINE M less(V a, V b) const { return hn::Lt(a, b); }
+  HWY_INLINE M equal(V a, V b) const { return hn::Eq(a, b); }
+  HWY_INLINE V select(M m, V yes, V no) const { return hn::IfThenElse(m, yes, no); }
+
+  // The exponent of the value as a float: exact, because a float has 24 bits.
+  HWY_INLINE V floor_log2(V v) const {
+    if constexpr (sizeof(T) == 4) {
+      const hn::RebindToFloat<D> f;
+      return hn::Sub(hn::ShiftRight<23>(hn::BitCast(D(), hn::ConvertTo(f, v))), set(127));
+    } else {
+      // 2^52 + v - 2^52, by writing v into the fraction of 2^52.
+      const hn::RebindToFloat<D> f;
+      const V magic = set(std::int64_t{0x433} << 52);
+      const auto real = hn::Sub(hn::BitCast(f, hn::Or(v, magic)), hn::BitCast(f, magic));
+      return hn::Sub(hn::ShiftRight<52>(hn::BitCast(D(), real)), set(1023));
+    }
+  }
+  HWY_INLINE V lookup(const Int* table, V index) const { return hn::GatherIndex(D(), table, index); }
+  // A table of 16 entries, held in registers where a register has as many lanes.
+  HWY_INLINE V lookup16(const Int* table, V index) const {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    if constexpr (sizeof(T) == 4) return hn::TableLookupLanes(load(table), hn::IndicesFromVec(D(), index));
+#endif
+    return hn::GatherIndex(D(), table, index);
+  }
+  HWY_INLINE V low_half(const std::uint64_t* p) const {
+#if HWY_TARGET == HWY_SCALAR
+    return set(static_cast<T>(*p & 0xffffffffu));
+#else
+    if constexpr (sizeof(T) == 4) {
+      const T* words = reinterpret_cast<const T*>(p);
+      return hn::ConcatEven(D(), load(words + size()), load(words));
+    } else {
+      return hn::And(load(reinterpret_cast<const T*>(p)), set(0xffffffff));
+    }
+#endif
+  }
+  HWY_INLINE V high_half(const std::uint64_t* p) const {
+#if HWY_TARGET == HWY_SCALAR
+    return set(static_cast<T>(*p >> 32));
+#else
+    if constexpr (sizeof(T) == 4) {
+      const T* words = reinterpret_cast<const T*>(p);
+      return hn::ConcatOdd(D(), load(words + size()), load(words));
+    } else {
+      return shr_modular(load(reinterpret_cast<const T*>(p)), 32);
+    }
+#endif
+  }
+};
+
+// Stores all lanes, or the first `room` of them where there is not room for all.
+template <class L>
+HWY_INLINE void store_within(const L& l, typename L::V v, int room, typename L::Int* p) {
+  if (room >= l.size())
+    l.store(v, p);
+  else
+    l.store_first(v, room, p);
+}
+
+// (x + 2^(n-1)) >> n; x << -n for n <= 0.
+template <class L>
+HWY_INLINE typename L::V round_half_up(const L& l, typename L::V x, int n) {
+  if (n <= 0) return l.shl(x, -n);
+  return l.sar(l.add(x, l.set(typename L::Int{1} << (n - 1))), n);
+}
+
+// The same with n >= 1, one n a lane.
+template <class L>
+HWY_INLINE typename L::V round_half_up_each(const L& l, typename L::V x, typename L::V n) {
+  const auto one = l.set(1);
+  return l.sar(l.add(l.sar_each(x, l.sub(n, one)), one), 1);
+}
+
+template <class L>
+HWY_INLINE typename L::V saturate(const L& l, typename L::V x, typename L::Int low, typename L::Int high) {
+  return l.min(l.max(x, l.set(low)), l.set(high));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace wrinkle
+HWY_AFTER_NAMESPACE();
+
+#endif  // GOLDEN_PIXEL_LANES_INL_H_

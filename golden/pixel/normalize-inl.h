@@ -1,0 +1,103 @@
+// normalize: N, L and H to unit length, each by its own unit.
+#if defined(GOLDEN_PIXEL_NORMALIZE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GOLDEN_PIXEL_NORMALIZE_INL_H_
+#undef GOLDEN_PIXEL_NORMALIZE_INL_H_
+#else
+#define GOLDEN_PIXEL_NORMALIZE_INL_H_
+#endif
+
+#include "golden/pixel/context.h"
+#include "golden/pixel/lanes-inl.h"
+#include "golden/pixel/pixel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace wrinkle {
+namespace HWY_NAMESPACE {
+
+template <class L>
+struct Triple {
+  typename L::V x, y, z;
+};
+
+// rsqrt() of golden/pixel/rsqrt.h, lane by lane.
+template <class L>
+HWY_INLINE typename L::V rsqrt(const L& l, const Context& c, typename L::V t) {
+  const RsqrtGeometry& g = c.rsqrt;
+  const int n = g.offset_bits(), k = g.segment_bits;
+  const auto half = l.sar(t, g.input_bits - 1);
+  const auto x = l.select(l.equal(half, l.set(0)), l.shl(t, 1), t);
+  const auto index = l.or_(l.shl(half, k), l.and_(l.sar(x, n), l.set((1 << k) - 1)));
+  const auto dx = l.and_(x, l.set((1 << n) - 1));
+  const auto segment = l.lookup(c.tables<typename L::Int>().rsqrt.data(), index);
+  const auto base = l.add(l.shr_modular(segment, kSlopeBits), l.set(1 << (g.output_bits + g.guard_bits)));
+  const auto slope = l.and_(segment, l.set((1 << kSlopeBits) - 1));
+  const auto r = l.sar(l.sub(l.shl(base, n), l.mul(slope, dx)), n + g.guard_bits);
+  return l.min(r, l.set((2 << g.output_bits) - 1));
+}
+
+template <class L>
+HWY_INLINE Triple<L> normalize_faithful(const L& l, const Context& c, const Triple<L>& v) {
+  const RsqrtGeometry& g = c.rsqrt;
+  const int p = c.config.vector_bits + 1;
+  const auto limit = l.set((1 << p) - 1);
+  const auto zero = l.set(0);
+  const auto magnitude = [&](typename L::V a) HWY_ATTR { return l.min(l.max(a, l.sub(zero, a)), limit); };
+  Triple<L> m{magnitude(v.x), magnitude(v.y), magnitude(v.z)};
+  const auto any = l.or_(l.or_(m.x, m.y), m.z);
+  const auto shift = l.sub(l.set(p - 1), l.floor_log2(l.max(any, l.set(1))));
+  m = {l.shl_each(m.x, shift), l.shl_each(m.y, shift), l.shl_each(m.z, shift)};
+  const auto sum = l.add(l.add(l.mul(m.x, m.x), l.mul(m.y, m.y)), l.mul(m.z, m.z));
+  const auto one = l.set(1);
+  const auto e = l.select(l.less(sum, l.shl(one, 2 * p)), zero, one);
+  const auto aligned = l.shl_each(sum, l.sub(l.set(2), l.add(e, e)));
+  const int dropped = 2 * p + 2 - g.input_bits;
+  const auto r = rsqrt(l, c, dropped >= 0 ? l.sar(aligned, dropped) : l.shl(aligned, -dropped));
+  const auto down = l.add(l.set(p + g.output_bits - c.config.unit_bits), e);
+  const auto scale = [&](typename L::V a, typename L::V sign_of) HWY_ATTR {
+    const auto n = round_half_up_each(l, l.mul(a, r), down);
+    return l.select(l.less(sign_of, zero), l.sub(zero, n), n);
+  };
+  return {scale(m.x, v.x), scale(m.y, v.y), scale(m.z, v.z)};
+}
+
+template <class L>
+HWY_INLINE Triple<L> normalize_none(const L& l, const Context& c, const Triple<L>& v) {
+  const int shift = c.config.vector_bits - c.config.unit_bits;
+  const typename L::Int limit = typename L::Int{2} << c.config.unit_bits;
+  const auto scale = [&](typename L::V a)
+                         HWY_ATTR { return saturate(l, round_half_up(l, a, shift), -limit, limit - 1); };
+  return {scale(v.x), scale(v.y), scale(v.z)};
+}
+
+// One unit over the batch. `zero` collects the fragments whose vector has no direction.
+template <class L, class Columns>
+void normalize_unit(const L& l, const Context& c, int normalizer, Columns& in, Columns& out,
+                    typename Columns::value_type& zero, int count) {
+  for (int first = 0; first < count; first += l.size()) {
+    const auto i = static_cast<std::size_t>(first);
+    const Triple<L> v{l.load(&in[0][i]), l.load(&in[1][i]), l.load(&in[2][i])};
+    const Triple<L> n =
+        normalizer == static_cast<int>(Normalizer::kFaithful) ? normalize_faithful(l, c, v) : normalize_none(l, c, v);
+    l.store(n.x, &out[0][i]);
+    l.store(n.y, &out[1][i]);
+    l.store(n.z, &out[2][i]);
+    const auto none = l.equal(l.or_(l.or_(v.x, v.y), v.z), l.set(0));
+    l.store(l.select(none, l.set(1), l.load(&zero[i])), &zero[i]);
+  }
+}
+
+template <class L>
+void normalize(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+  auto& zero = batch.normalize_zero[0];
+  std::fill_n(zero.begin(), batch.count, 0);
+  normalize_unit(l, c, c.config.normalizer_n, batch.perturb_n, batch.normalize_n, zero, batch.count);
+  normalize_unit(l, c, c.config.normalizer_l, batch.interpolate_l, batch.normalize_l, zero, batch.count);
+  if (c.config.has_halfangle())
+    normalize_unit(l, c, c.config.normalizer_h, batch.interpolate_h, batch.normalize_h, zero, batch.count);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace wrinkle
+HWY_AFTER_NAMESPACE();
+
+#endif  // GOLDEN_PIXEL_NORMALIZE_INL_H_

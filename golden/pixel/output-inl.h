@@ -1,0 +1,49 @@
+// output: material and rounding to the colour.
+#if defined(GOLDEN_PIXEL_OUTPUT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GOLDEN_PIXEL_OUTPUT_INL_H_
+#undef GOLDEN_PIXEL_OUTPUT_INL_H_
+#else
+#define GOLDEN_PIXEL_OUTPUT_INL_H_
+#endif
+
+#include "golden/pixel/context.h"
+#include "golden/pixel/lanes-inl.h"
+#include "golden/pixel/pixel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace wrinkle {
+namespace HWY_NAMESPACE {
+
+template <class L>
+HWY_INLINE typename L::V shade_channel(const L& l, const Context& c, std::size_t k, typename L::V diffuse,
+                                       typename L::V specular, const typename L::Int* decal) {
+  const Config& config = c.config;
+  const int df = config.dot_bits, pf = config.power_bits, bits = config.colour_bits;
+  auto base = l.add(l.shl(l.set(c.draw.ambient[k]), df), l.mul(l.set(c.draw.diffuse[k]), diffuse));
+  if (config.decal != 0) {
+    const auto code = l.load(decal);
+    const auto factor = l.add(code, l.sar(code, config.texel_bits - 1));
+    base = round_half_up(l, l.mul(base, factor), config.texel_bits);
+  }
+  const auto sum = l.add(l.shl(base, pf - df), l.mul(l.set(c.draw.specular[k]), specular));
+  const typename L::Int full = (typename L::Int{1} << bits) - 1;
+  return saturate(l, round_half_up(l, l.mul(sum, l.set(full)), bits + pf), 0, full);
+}
+
+template <class L>
+void output(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(c.config.channel_count()); ++k) {
+    for (int first = 0; first < batch.count; first += l.size()) {
+      const auto i = static_cast<std::size_t>(first);
+      const auto specular = c.config.has_halfangle() ? l.load(&batch.light_specular[0][i]) : l.set(0);
+      l.store(shade_channel(l, c, k, l.load(&batch.light_diffuse[0][i]), specular, &batch.texture_decal[k][i]),
+              &batch.output_colour[k][i]);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace wrinkle
+HWY_AFTER_NAMESPACE();
+
+#endif  // GOLDEN_PIXEL_OUTPUT_INL_H_

@@ -1,0 +1,50 @@
+// scan: the row engine. A triangle packet becomes its non-empty rows, each with the planes at its first pixel.
+#pragma once
+
+#include "golden/pixel/context.h"
+#include "golden/pixel/spans.h"
+
+namespace wrinkle {
+
+// The exact bound of one edge, a digital differential analyser with remainder.
+class EdgeWalk {
+ public:
+  explicit EdgeWalk(const EdgeWords& words) : words_(words), w_(words.w), remainder_(words.remainder) {}
+  std::int64_t w() const { return w_; }
+  // One row down; whether the remainder carried.
+  bool step() {
+    remainder_ += words_.remainder_step;
+    const bool carry = remainder_ >= 0;
+    if (carry) remainder_ -= words_.denominator;
+    w_ += words_.step + (carry ? 1 : 0);
+    return carry;
+  }
+
+ private:
+  EdgeWords words_;
+  std::int64_t w_, remainder_;
+};
+
+template <class Int>
+class RowEngine {
+ public:
+  RowEngine(const Context& context, const TriangleWords& triangle);
+
+  // The next row with pixels, if there is one: its start, length, y and planes hold until the next call.
+  bool next_row();
+  int w() const { return w_; }
+  int count() const { return count_; }
+  int y() const { return y_; }
+  const Planes<Int>& value() const { return value_; }
+  const Planes<Int>& dw() const { return dw_; }
+
+ private:
+  void step_down();
+
+  EdgeWalk start_, end_, end1_;
+  int row_ = 0, rows_, rows_end0_, first_y_;
+  int w_ = 0, count_ = 0, y_ = 0;
+  alignas(64) Planes<Int> value_{}, step_{}, dw_{};
+};
+
+}  // namespace wrinkle
