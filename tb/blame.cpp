@@ -1,0 +1,196 @@
+#include "tb/blame.h"
+
+#include <algorithm>
+
+#include "tb/testbench.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr std::uint64_t kTraceBefore = 200, kTraceAfter = 16;
+
+using Words = std::span<const std::uint64_t>;
+
+// Words of the draw that holds a packet, its draw packet included.
+Words words_of_draw(const PacketStream& stream, std::int64_t packet) {
+  if (packet < 0 || stream.draw_word.empty()) return stream.words;
+  const std::uint32_t word = stream.packet_word[static_cast<std::size_t>(packet)];
+  const auto next = std::upper_bound(stream.draw_word.begin(), stream.draw_word.end(), word);
+  if (next == stream.draw_word.begin()) return stream.words;
+  const std::size_t begin = *(next - 1), end = next == stream.draw_word.end() ? stream.words.size() : *next;
+  return Words(stream.words).subspan(begin, end - begin);
+}
+
+// All values of one fragment by the golden model, and how many fragments there are.
+struct GoldenValues {
+  FragmentValues values;
+  std::uint64_t total = 0;
+};
+GoldenValues golden_values(const Run& run, Words words, std::uint64_t fragment) {
+  GoldenValues found;
+  const auto look = [&](const auto& batch) {
+    const auto count = static_cast<std::uint64_t>(batch.count);
+    if (fragment >= found.total && fragment - found.total < count) {
+      extract(batch, static_cast<int>(fragment - found.total), found.values);
+    }
+    found.total += count;
+  };
+  Golden(*run.config, *run.textures).draw(words, {look, look});
+  return found;
+}
+
+Run replay(const Run& run, Words words, Model& model) {
+  static const BenchSinks no_sinks;
+  Run again;
+  again.config = run.config;
+  again.words = words;
+  again.textures = run.textures;
+  again.options = run.options;
+  again.sinks = &no_sinks;
+  again.model = &model;
+  return again;
+}
+
+bool tapped(const Run& run, Stage stage) { return (run.last_taps.stages >> static_cast<int>(stage) & 1) != 0; }
+
+// The first stage whose number of transfers is not the number of fragments.
+std::string stage_by_count(const Run& run, std::uint64_t total) {
+  for (int stage = 0; stage < kStages; ++stage) {
+    if (tapped(run, Stage(stage)) && run.stage_transfers[stage] != total) return kStageNames[stage];
+  }
+  return "";
+}
+
+// Above the culprit of a hang every stage offers what is not taken; from it on nothing is offered.
+std::string stage_by_hang(const Run& run) {
+  for (int stage = 0; stage < kStages; ++stage) {
+    if (tapped(run, Stage(stage)) && (run.last_taps.valid >> stage & 1) == 0) return kStageNames[stage];
+  }
+  return kStageNames[kStages - 1];
+}
+
+void name(Difference& d, const Value& value, std::size_t element, std::int64_t golden, std::int64_t rtl) {
+  d.stage = std::string(value.stage);
+  d.value = std::string(value.name);
+  d.element = static_cast<int>(element);
+  d.width = value.width;
+  d.fraction_bits = value.fraction_bits;
+  d.golden = golden;
+  d.rtl = rtl;
+}
+
+// The first value in pipeline order that differs among those of the stages [from, to).
+bool name_by_value(Difference& d, const Run& run, const FragmentValues& golden, int from, int to) {
+  const std::vector<Value> all = values(*run.config);
+  const FragmentValues& rtl = run.first->rtl_values;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto stage = std::find(kStageNames, kStageNames + kStages, all[i].stage) - kStageNames;
+    if (stage < from || stage >= to || !all[i].present || !tapped(run, Stage(static_cast<int>(stage)))) continue;
+    if ((run.last_taps.present >> i & 1) == 0) continue;
+    for (std::size_t e = 0; e < static_cast<std::size_t>(all[i].elements); ++e) {
+      if (rtl[i][e] == golden[i][e]) continue;
+      name(d, all[i], e, golden[i][e], rtl[i][e]);
+      return true;
+    }
+  }
+  return false;
+}
+
+// All stages agree: it went wrong on the way to the port.
+void name_by_port(Difference& d, const Run& run) {
+  const Config& config = *run.config;
+  const Fragment &g = *run.first->golden, &r = *run.first->rtl;
+  const auto port = [&](const char* port_name, int width, int fraction, std::size_t element, std::int64_t golden,
+                        std::int64_t rtl) {
+    if (golden == rtl || !d.stage.empty()) return;
+    name(d, {"output", port_name, 1, width, fraction, false, true}, element, golden, rtl);
+  };
+  port("x", config.screen_bits, 0, 0, g.x, r.x);
+  port("y", config.screen_bits, 0, 0, g.y, r.y);
+  port("z", config.depth_bits, config.depth_bits, 0, g.z, r.z);
+  for (std::size_t c = 0; c < 3; ++c)
+    port("colour", config.colour_bits, config.colour_bits, c, g.colour[c], r.colour[c]);
+  port("last", 1, 0, 0, g.last, r.last);
+  port("zero", 1, 0, 0, g.zero, r.zero);
+}
+
+// What the replayed run says of the difference. False when it shows none.
+bool name_stage(Difference& d, const Run& run) {
+  if (!run.first) return false;
+  const GoldenValues golden = golden_values(run, run.words, run.first->fragment);
+  switch (run.first->kind) {
+    case Difference::Kind::kHang:
+      d.stage = stage_by_hang(run);
+      return true;
+    case Difference::Kind::kMissing:
+    case Difference::Kind::kExtra:
+      d.stage = stage_by_count(run, golden.total);
+      return !d.stage.empty();
+    case Difference::Kind::kRequest:
+    case Difference::Kind::kHold:
+      d.stage = std::string(run.first->stage);
+      return true;
+    case Difference::Kind::kValue:
+      break;
+  }
+  if (name_by_value(d, run, golden.values, 0, 1)) return true;
+  // One too many or too few upstream makes all that follows another fragment's.
+  d.stage = stage_by_count(run, golden.total);
+  if (!d.stage.empty()) return true;
+  if (!name_by_value(d, run, golden.values, 1, kStages)) name_by_port(d, run);
+  return true;
+}
+
+void write_trace(Difference& d, const Run& run, Words words, std::uint64_t cycle) {
+  BenchOptions options = *run.options;
+  options.model.trace = true;
+  Model model(build_model(*run.config, options.model, options.progress), options.seed);
+  Run traced = replay(run, words, model);
+  traced.options = &options;
+  traced.trace_from = cycle > kTraceBefore ? cycle - kTraceBefore : 0;
+  traced.stop_after = cycle + kTraceAfter;
+  simulate(traced);
+  d.trace = options.trace;
+  d.trace_cycle = cycle;
+}
+
+Difference locate(const Run& run, const PacketStream& stream, std::string_view frame_name) {
+  const FirstDifference& first = *run.first;
+  Difference d;
+  d.kind = first.kind;
+  d.frame = std::string(frame_name);
+  d.fragment = first.fragment;
+  d.cycle = first.cycle;
+  d.packet = first.packet;
+  if (d.packet >= 0 && static_cast<std::size_t>(d.packet) < stream.packet_draw.size()) {
+    d.draw = stream.packet_draw[static_cast<std::size_t>(d.packet)];
+    d.triangle = stream.packet_triangle[static_cast<std::size_t>(d.packet)];
+  }
+  const std::optional<Fragment>& shown = first.golden ? first.golden : first.rtl;
+  if (shown) {
+    d.x = shown->x;
+    d.y = shown->y;
+  }
+  return d;
+}
+
+}  // namespace
+
+Difference blame(const Run& run, const PacketStream& stream, std::string_view frame_name) {
+  Difference d = locate(run, stream, frame_name);
+  d.stage = std::string(run.first->stage);
+  if (!run.options->blame) return d;
+  const Words draw = words_of_draw(stream, d.packet);
+  for (const Words words : {draw, Words(stream.words)}) {
+    Model model(build_model(*run.config, run.options->model, run.options->progress), run.options->seed);
+    Run again = replay(run, words, model);
+    again.tapped = true;
+    simulate(again);
+    if (!name_stage(d, again)) continue;
+    if (!run.options->trace.empty()) write_trace(d, run, words, again.first->cycle);
+    break;
+  }
+  return d;
+}
+
+}  // namespace wrinkle

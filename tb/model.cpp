@@ -1,0 +1,26 @@
+#include "tb/model.h"
+
+#include <dlfcn.h>
+
+#include <stdexcept>
+
+namespace wrinkle {
+
+// Libraries stay loaded: a Verilated model registers per-thread state that must outlive it, and reloading is waste.
+Model::Model(const std::filesystem::path& library, std::uint64_t seed) {
+  void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) throw std::runtime_error(std::string("cannot load the model: ") + dlerror());
+  api_ = static_cast<const ModelApi*>(dlsym(handle, "wrinkle_model"));
+  if (api_ == nullptr) throw std::runtime_error(library.string() + ": not a model of wrinkle_core");
+  state_ = api_->create(seed);
+}
+
+Model::~Model() { api_->destroy(state_); }
+
+void Model::trace_open(const std::filesystem::path& path) {
+  if (!api_->trace_open(state_, path.c_str())) {
+    throw std::runtime_error(path.string() + ": the model was built without waveforms");
+  }
+}
+
+}  // namespace wrinkle
