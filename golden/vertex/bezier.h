@@ -26,9 +26,9 @@ class BezierPatch : public Surface {
   double scale_;  // extent of the control net, what "vanishes" is measured by
 };
 
-// The highly stretched patch of [Peercy97 section 3], by the look of its figures: a sheet over most of [-1, 1]^2, seen
-// from +z without a fold, |Pu| / |Pv| from below 1/2 to above 2, the angle between them from below 50 to above 130
-// degrees.
+// The highly stretched patch of [Peercy97 section 3], by its description and the look of its figures: a curved sheet
+// that covers two thirds of [-1, 1]^2, seen from +z without a fold. |Pu| / |Pv| runs from below 1/2 to above 5/2, the
+// angle between them from below 55 to above 95 degrees.
 std::shared_ptr<const Surface> stretched_patch();
 
 }  // namespace wrinkle

@@ -20,19 +20,33 @@ void add_triangle(Mesh& mesh, std::uint32_t surface, std::uint32_t a, std::uint3
   mesh.triangle_surface.push_back(surface);
 }
 
-void add_surface(Mesh& mesh, std::uint32_t index, int nu, int nv) {
-  const Surface& surface = *mesh.surfaces[index];
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  const auto corner = [&](int i, int j) { return first + static_cast<std::uint32_t>(j * (nu + 1) + i); };
+void add_vertices(Mesh& mesh, const Surface& surface, int nu, int nv) {
   for (int j = 0; j <= nv; ++j) {
     for (int i = 0; i <= nu; ++i) {
       mesh.vertices.push_back(surface_vertex(surface, static_cast<double>(i) / nu, static_cast<double>(j) / nv));
     }
   }
+}
+
+// A border that two surfaces share is computed in two ways, apart by rounding errors. Rounded to 2^-44 of the extent of
+// the mesh, the two are one.
+void join_positions(Mesh& mesh) {
+  double extent = 0;
+  for (const Vertex& v : mesh.vertices) {
+    extent = std::max({extent, std::abs(v.P.x), std::abs(v.P.y), std::abs(v.P.z)});
+  }
+  const double unit = std::ldexp(1, std::ilogb(std::max(extent, 1e-280)) - 44);
+  const auto round = [&](double x) { return std::round(x / unit) * unit; };
+  for (Vertex& v : mesh.vertices) v.P = {round(v.P.x), round(v.P.y), round(v.P.z)};
+}
+
+void add_triangles(Mesh& mesh, std::uint32_t surface, int nu, int nv) {
+  const auto first = surface * static_cast<std::uint32_t>((nu + 1) * (nv + 1));
+  const auto corner = [&](int i, int j) { return first + static_cast<std::uint32_t>(j * (nu + 1) + i); };
   for (int j = 0; j < nv; ++j) {
     for (int i = 0; i < nu; ++i) {
-      add_triangle(mesh, index, corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
-      add_triangle(mesh, index, corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
+      add_triangle(mesh, surface, corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
+      add_triangle(mesh, surface, corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
     }
   }
 }
@@ -47,7 +61,9 @@ double corner_angle(Vec3 at, Vec3 a, Vec3 b) {
 Mesh tessellate(const Surfaces& surfaces, int nu, int nv) {
   Mesh mesh;
   mesh.surfaces = surfaces;
-  for (std::uint32_t i = 0; i < surfaces.size(); ++i) add_surface(mesh, i, nu, nv);
+  for (const auto& surface : surfaces) add_vertices(mesh, *surface, nu, nv);
+  join_positions(mesh);
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) add_triangles(mesh, i, nu, nv);
   return mesh;
 }
 
