@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include "tests/host/packet_walker.h"
+
+namespace wrinkle {
+namespace {
+
+using test::Random;
+
+std::int64_t residue(Random& random, int bits) {
+  const std::int64_t half = std::int64_t{1} << (bits - 1);
+  return random.integer(-half, half - 1);
+}
+
+EdgeWords random_edge(Random& random, const Config& config) {
+  EdgeWords edge;
+  edge.denominator = random.integer(1, (std::int64_t{1} << config.edge_bits()) - 1);
+  edge.remainder = random.integer(-edge.denominator, -1);
+  edge.remainder_step = random.integer(0, edge.denominator - 1);
+  edge.w = residue(random, config.screen_bits + 2);
+  edge.step = residue(random, config.screen_bits + 2);
+  return edge;
+}
+
+TriangleWords random_triangle(Random& random, const Config& config) {
+  TriangleWords triangle;
+  triangle.mirror = random.integer(0, 1) != 0;
+  triangle.y = static_cast<int>(random.integer(0, config.screen_size() - 1));
+  triangle.rows = static_cast<int>(random.integer(1, config.screen_size()));
+  triangle.rows_end0 = static_cast<int>(random.integer(1, triangle.rows));
+  triangle.start = random_edge(random, config);
+  triangle.end0 = random_edge(random, config);
+  triangle.end1 = random_edge(random, config);
+  for (const ComponentFormat& format : component_formats(config)) {
+    const int bits = format.width + config.guard_bits;
+    triangle.planes[static_cast<std::size_t>(format.component)] = {residue(random, bits), residue(random, bits),
+                                                                   residue(random, bits)};
+  }
+  if (config.has_texture() && config.perspective == 0) {
+    triangle.lod = static_cast<int>(random.integer(0, (16 << config.lod_fraction_bits()) - 1));
+  }
+  return triangle;
+}
+
+TEST(Packet, TrianglesComeBackFromTheirWords) {
+  Random random(1);
+  for (int i = 0; i < 3000; ++i) {
+    const Config config = random.config();
+    const TriangleWords triangle = random_triangle(random, config);
+    std::vector<std::uint64_t> words;
+    encode(config, triangle, words);
+    ASSERT_EQ(static_cast<int>(words.size()), triangle_word_count(config));
+    ASSERT_EQ(decode_triangle(config, words), triangle) << "configuration " << i;
+  }
+}
+
+TEST(Packet, DrawsComeBackFromTheirWords) {
+  Random random(2);
+  const Config config;
+  for (int i = 0; i < 1000; ++i) {
+    const auto flag = [&] { return random.integer(0, 1) != 0; };
+    const auto field = [&](int bits) { return static_cast<int>(random.integer(0, (1 << bits) - 1)); };
+    DrawWords draw{flag(),   flag(),   flag(),    flag(),   field(2), field(2), field(4),
+                   field(4), field(4), field(12), field(4), {},       {},       {}};
+    for (auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular}) *colour = {field(16), field(16), field(16)};
+    std::vector<std::uint64_t> words;
+    encode(config, draw, words);
+    ASSERT_EQ(words.size(), static_cast<std::size_t>(kDrawWords));
+    ASSERT_EQ(decode_draw(words), draw);
+  }
+}
+
+// The bit positions of docs/formats.md, written out by hand.
+TEST(Packet, DrawFieldsLieWhereTheFormatSays) {
+  DrawWords draw;
+  draw.textured = true;
+  draw.wrap_v = 2;
+  draw.log2_height = 9;
+  draw.texture = 0xABC;
+  draw.squarings = 5;
+  draw.ambient = {1, 2, 3};
+  draw.specular = {0x100, 0, 7};
+  std::vector<std::uint64_t> words;
+  encode(Config{}, draw, words);
+  EXPECT_EQ(words[0], 1u | 1u << 5 | 2u << 10 | 9u << 16 | std::uint64_t{0xABC} << 24 | std::uint64_t{5} << 36);
+  EXPECT_EQ(words[1], std::uint64_t{0x0000'0003'0002'0001});
+  EXPECT_EQ(words[2], 0u);
+  EXPECT_EQ(words[3], std::uint64_t{0x0000'0007'0000'0100});
+}
+
+// Bit offsets of docs/formats.md for the standard widths: X = 10, S = 8, ED = 20, plane 0 at a new word.
+TEST(Packet, TriangleFieldsLieWhereTheFormatSays) {
+  const Config config;
+  TriangleWords triangle;
+  triangle.mirror = true;
+  triangle.y = 0x155;
+  triangle.rows = 0x400;
+  triangle.rows_end0 = 0x3FF;
+  triangle.start.w = -1;
+  triangle.planes[0].value = 5;
+  triangle.planes[0].row = -1;
+  std::vector<std::uint64_t> words;
+  encode(config, triangle, words);
+  EXPECT_EQ(words[0] & 0xF, 2u);
+  EXPECT_EQ(words[0] >> 4 & 1, 1u);
+  EXPECT_EQ(words[0] >> 5 & 0x3FF, 0x155u);
+  EXPECT_EQ(words[0] >> 15 & 0x7FF, 0x400u);
+  EXPECT_EQ(words[0] >> 26 & 0x7FF, 0x3FFu);
+  EXPECT_EQ(words[0] >> 37 & 0xFFF, 0xFFFu);
+  // 4 + 1 + 10 + 11 + 11 + 3 * (12 + 12 + 21 + 20 + 20) = 292 bits are five words.
+  EXPECT_EQ(scan_word_count(config), 5);
+  EXPECT_EQ(words[5] & 0x3FFFFF, 5u);  // 12 + 10 bits
+  EXPECT_EQ(words[5] >> 22 & 0x3FFFFF, 0x3FFFFFu);
+}
+
+TEST(Packet, ComponentsFollowTheConfiguration) {
+  Config config;
+  const auto has = [&](Component component) {
+    for (const ComponentFormat& format : component_formats(config)) {
+      if (format.component == component) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(has(Component::kHx) && has(Component::kU) && has(Component::kZ));
+  EXPECT_FALSE(has(Component::kQ) || has(Component::kLod));
+  config.perspective = 1;
+  EXPECT_TRUE(has(Component::kQ) && has(Component::kLod));
+  config.datapath = 0, config.decal = 0;
+  EXPECT_FALSE(has(Component::kU) || has(Component::kQ) || has(Component::kLod));
+  config.lighting = 0, config.depth = 0;
+  EXPECT_EQ(component_formats(config).size(), 6u);
+}
+
+TEST(Packet, WhatIsCutShortOrOfAnotherOpcodeIsRefused) {
+  const Config config;
+  std::vector<std::uint64_t> words;
+  encode(config, TriangleWords{}, words);
+  EXPECT_THROW(decode_draw(words), std::invalid_argument);
+  words.pop_back();
+  EXPECT_THROW(decode_triangle(config, words), std::invalid_argument);
+  EXPECT_THROW(decode_triangle(config, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace wrinkle
