@@ -1,0 +1,93 @@
+`default_nettype none
+// Reciprocal square root, r = 1/sqrt(t) in u1.RB for t in [1/4, 1), of which T holds the leading SB bits.
+// A table of 2 * 2^K linear segments, filled by the formula of golden/pixel/rsqrt.h, where the geometry for each F and
+// the proof that a vector scaled by r is faithful to F bits are given. Latency 2. Does not handle t < 1/4.
+module wrinkle_rsqrt #(
+  parameter INPUT_BITS  = 10,  // SB
+  parameter OUTPUT_BITS = 9,   // RB
+  parameter SEGMENT_BITS = 4,  // K
+  parameter GUARD_BITS  = 1    // of base and slope, below r
+) (
+  input  wire                  clk,
+  input  wire                  advance_i,
+  input  wire [INPUT_BITS-1:0] t_i,        // u0.SB, at least 1/4
+  output wire [OUTPUT_BITS:0]  r_o         // u1.RB
+);
+  localparam N          = INPUT_BITS - 1 - SEGMENT_BITS;
+  localparam BASE_BITS  = OUTPUT_BITS + GUARD_BITS + 2;
+  localparam SLOPE_BITS = OUTPUT_BITS + GUARD_BITS - SEGMENT_BITS + 1;
+  localparam ROWS       = 2 << SEGMENT_BITS;
+
+  // floor(sqrt(x))
+  function [63:0] isqrt;
+    input [63:0] x;
+    integer place;
+    reg [63:0] rest, trial;
+    begin
+      isqrt = 64'd0;
+      rest  = x;
+      for (place = 62; place >= 0; place = place - 2) begin
+        trial = isqrt + (64'd1 << place);
+        isqrt = isqrt >> 1;
+        if (rest >= trial) begin
+          rest  = rest - trial;
+          isqrt = isqrt + (64'd1 << place);
+        end
+      end
+    end
+  endfunction
+
+  // 2^(RB+g) / sqrt((t + 1/2) 2^-SB), rounded to nearest
+  function [63:0] root;
+    input [63:0] t;
+    root = (isqrt((64'd1 << (2 * (OUTPUT_BITS + GUARD_BITS) + INPUT_BITS + 3)) / ((t << 1) + 64'd1)) + 64'd1) >> 1;
+  endfunction
+
+  // slope * 2^BASE_BITS + base of segment i: the chord, lowered by half its sagitta, plus half an LSB of r.
+  function [63:0] segment;
+    input integer i;
+    reg [63:0] step, t0, r0, rm, r1, base, slope;
+    begin
+      step    = 64'd1 << (INPUT_BITS - 2 - SEGMENT_BITS + (i >> SEGMENT_BITS));
+      t0      = (64'd1 << (INPUT_BITS - 2 + (i >> SEGMENT_BITS))) + step * ({32'd0, i} & ((64'd1 << SEGMENT_BITS) - 64'd1));
+      r0      = root(t0);
+      rm      = root(t0 + (step >> 1));
+      r1      = root(t0 + step);
+      base    = r0 - ((r0 + r1 + 64'd2 - (rm << 1)) >> 2) + (64'd1 << (GUARD_BITS - 1));
+      slope   = r0 - r1;
+      segment = (slope << BASE_BITS) + base;
+    end
+  endfunction
+
+  reg [63:0] table_q [0:ROWS-1];
+  integer i;
+  initial for (i = 0; i < ROWS; i = i + 1) table_q[i] = segment(i);
+
+  // Both halves of the range are brought to the same segment width.
+  wire                  half  = t_i[INPUT_BITS-1];
+  wire [INPUT_BITS-1:0] x     = half ? t_i : {t_i[INPUT_BITS-2:0], 1'b0};
+  wire [SEGMENT_BITS:0] index = {half, x[INPUT_BITS-2:N]};
+  wire unused_one = &{1'b0, x[INPUT_BITS-1]};
+
+  wire [63:0] entry = table_q[index];
+  wire unused_top = &{1'b0, entry};
+  reg [SLOPE_BITS+BASE_BITS-1:0] segment_q;
+  reg [N-1:0]                    dx_q;
+  reg [OUTPUT_BITS:0]            r_q;
+  wire [OUTPUT_BITS:0]           r;
+
+  wrinkle_segment #(
+    .BASE_BITS(BASE_BITS), .SLOPE_BITS(SLOPE_BITS), .N(N), .GUARD(GUARD_BITS), .RESULT_BITS(OUTPUT_BITS + 1)
+  ) interpolate (
+    .base_i(segment_q[BASE_BITS-1:0]), .slope_i(segment_q[BASE_BITS +: SLOPE_BITS]), .dx_i(dx_q), .result_o(r));
+
+  assign r_o = r_q;
+
+  always @(posedge clk)
+    if (advance_i) begin
+      segment_q <= entry[SLOPE_BITS+BASE_BITS-1:0];
+      dx_q      <= x[N-1:0];
+      r_q       <= r;
+    end
+endmodule
+`default_nettype wire

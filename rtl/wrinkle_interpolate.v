@@ -1,0 +1,125 @@
+`default_nettype none
+// Interpolates the components of a packet: one digital differential analyser each, led by the walk of wrinkle_scan.
+// Values are those of the pixel on which the scan stands: latency 0, no handshake of its own.
+// Does not correct for perspective: there u and v are u*q and v*q.
+module wrinkle_interpolate #(
+  parameter DATAPATH        = 1,
+  parameter LIGHTING        = 1,
+  parameter FILTER          = 2,
+  parameter PERSPECTIVE     = 0,
+  parameter DEPTH           = 1,
+  parameter DECAL           = 0,
+  parameter GUARD_BITS      = 10,
+  parameter VECTOR_BITS     = 10,
+  parameter UV_INTEGER_BITS = 4,
+  parameter UV_BITS         = 18,
+  parameter Q_BITS          = 18,
+  parameter LOD_BITS        = 5,
+  parameter DEPTH_BITS      = 20
+) (
+  input  wire        clk,
+  input  wire        shift_i,   // word_i is of the planes part of a packet
+  input  wire [63:0] word_i,
+  input  wire        load_i,    // the walk: see wrinkle_dda
+  input  wire        step_i,
+  input  wire        carry_i,
+  input  wire        span_i,
+  input  wire        first_i,
+  input  wire        pixel_i,
+  output wire [3*(VECTOR_BITS+2)-1:0]                        n_o,   // s1.V, x in the low bits
+  output wire [3*(VECTOR_BITS+2)-1:0]                        l_o,   // s1.V
+  output wire [(LIGHTING != 0 ? 3*(VECTOR_BITS+2) : 1)-1:0]  h_o,   // s1.V
+  output wire [(DATAPATH + DECAL != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] u_o,  // s(UI-1).UF
+  output wire [(DATAPATH + DECAL != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] v_o,
+  output wire [(DATAPATH + DECAL != 0 && PERSPECTIVE != 0 ? Q_BITS : 1)-1:0] q_o,  // u0.Q
+  output wire [(DATAPATH + DECAL != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_o,  // s5.LB
+  output wire [(DEPTH != 0 ? DEPTH_BITS : 1)-1:0]            z_o    // u0.Z
+);
+  localparam G          = GUARD_BITS;
+  localparam W          = VECTOR_BITS + 2;
+  localparam UW         = UV_INTEGER_BITS + UV_BITS;
+  localparam LODW       = FILTER == 2 ? 6 + LOD_BITS : 6;
+  localparam VECTORS    = LIGHTING != 0 ? 9 : 6;
+  localparam HAS_UV     = DATAPATH + DECAL != 0 ? 1 : 0;
+  localparam HAS_Q      = HAS_UV != 0 && PERSPECTIVE != 0 ? 1 : 0;
+  localparam U_AT       = 3 * VECTORS * (W + G);
+  localparam V_AT       = U_AT + 3 * (UW + G);
+  localparam Q_AT       = U_AT + (HAS_UV != 0 ? 6 * (UW + G) : 0);
+  localparam PLANE_LOD_AT = Q_AT + 3 * (Q_BITS + G);
+  localparam Z_AT       = HAS_Q != 0 ? PLANE_LOD_AT + 3 * (LODW + G) : Q_AT;
+  localparam LOD_AT     = Z_AT + (DEPTH != 0 ? 3 * (DEPTH_BITS + G) : 0);
+  localparam BITS       = LOD_AT + (HAS_UV != 0 && HAS_Q == 0 ? LODW - 2 : 0);
+  localparam WORDS      = (BITS + 63) / 64;
+
+  wire [64*WORDS-1:0] packet;
+  wrinkle_shadow_words #(.WORDS(WORDS)) shadow (.clk(clk), .shift_i(shift_i), .word_i(word_i), .words_o(packet));
+  wire unused_padding = &{1'b0, packet};
+
+  genvar k;
+  generate
+    for (k = 0; k < VECTORS; k = k + 1) begin : vector
+      wire [W-1:0] value;
+      wrinkle_dda #(.WIDTH(W), .GUARD(G)) dda (
+        .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
+        .pixel_i(pixel_i), .value_i(packet[3*k*(W+G) +: W+G]), .row_i(packet[(3*k+1)*(W+G) +: W+G]),
+        .dw_i(packet[(3*k+2)*(W+G) +: W+G]), .value_o(value));
+      if (k < 3) begin : of_n
+        assign n_o[k*W +: W] = value;
+      end else if (k < 6) begin : of_l
+        assign l_o[(k-3)*W +: W] = value;
+      end else begin : of_h
+        assign h_o[(k-6)*W +: W] = value;
+      end
+    end
+    if (LIGHTING == 0) begin : no_h
+      assign h_o = 1'b0;
+    end
+
+    if (HAS_UV != 0) begin : uv
+      wrinkle_dda #(.WIDTH(UW), .GUARD(G)) u (
+        .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
+        .pixel_i(pixel_i), .value_i(packet[U_AT +: UW+G]), .row_i(packet[U_AT+UW+G +: UW+G]),
+        .dw_i(packet[U_AT+2*(UW+G) +: UW+G]), .value_o(u_o));
+      wrinkle_dda #(.WIDTH(UW), .GUARD(G)) v (
+        .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
+        .pixel_i(pixel_i), .value_i(packet[V_AT +: UW+G]), .row_i(packet[V_AT+UW+G +: UW+G]),
+        .dw_i(packet[V_AT+2*(UW+G) +: UW+G]), .value_o(v_o));
+    end else begin : no_uv
+      assign u_o = 1'b0;
+      assign v_o = 1'b0;
+    end
+
+    if (HAS_Q != 0) begin : divided
+      wrinkle_dda #(.WIDTH(Q_BITS), .GUARD(G)) q (
+        .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
+        .pixel_i(pixel_i), .value_i(packet[Q_AT +: Q_BITS+G]), .row_i(packet[Q_AT+Q_BITS+G +: Q_BITS+G]),
+        .dw_i(packet[Q_AT+2*(Q_BITS+G) +: Q_BITS+G]), .value_o(q_o));
+      wrinkle_dda #(.WIDTH(LODW), .GUARD(G)) lod (
+        .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
+        .pixel_i(pixel_i), .value_i(packet[PLANE_LOD_AT +: LODW+G]), .row_i(packet[PLANE_LOD_AT+LODW+G +: LODW+G]),
+        .dw_i(packet[PLANE_LOD_AT+2*(LODW+G) +: LODW+G]), .value_o(lod_o));
+    end else if (HAS_UV != 0) begin : undivided
+      // One level of detail a packet: it follows the row engine and the pixel engine like a gradient.
+      reg [LODW-3:0] row_lod_q, lod_q;
+      assign q_o   = 1'b0;
+      assign lod_o = {2'b00, lod_q};
+      always @(posedge clk) begin
+        if (load_i) row_lod_q <= packet[LOD_AT +: LODW-2];
+        if (span_i & first_i) lod_q <= row_lod_q;
+      end
+    end else begin : no_texture
+      assign q_o   = 1'b0;
+      assign lod_o = 1'b0;
+    end
+
+    if (DEPTH != 0) begin : with_z
+      wrinkle_dda #(.WIDTH(DEPTH_BITS), .GUARD(G)) z (
+        .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
+        .pixel_i(pixel_i), .value_i(packet[Z_AT +: DEPTH_BITS+G]), .row_i(packet[Z_AT+DEPTH_BITS+G +: DEPTH_BITS+G]),
+        .dw_i(packet[Z_AT+2*(DEPTH_BITS+G) +: DEPTH_BITS+G]), .value_o(z_o));
+    end else begin : no_z
+      assign z_o = 1'b0;
+    end
+  endgenerate
+endmodule
+`default_nettype wire

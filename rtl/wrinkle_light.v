@@ -1,0 +1,141 @@
+`default_nettype none
+// N.L and N.H, the power of N.H by successive squaring, self-shadow.
+//   shadow factor g of s = bump ? L.z : N.L:  hard (s > 0);  smooth min(8 s, 1)
+//   diffuse = nl * g, specular = nl > 0 ? power * g : 0;  without shadow diffuse = nl, specular = power
+// Latency 2, with LIGHTING halfangle SPECULAR_SQUARINGS more, with SELF_SHADOW 1 more.
+module wrinkle_light #(
+  parameter DATAPATH           = 1,
+  parameter LIGHTING           = 1,
+  parameter SELF_SHADOW        = 1,
+  parameter DEPTH              = 1,
+  parameter DECAL              = 0,
+  parameter SCREEN_BITS        = 10,
+  parameter TEXEL_BITS         = 8,
+  parameter UNIT_BITS          = 8,   // F
+  parameter DOT_BITS           = 10,  // DF
+  parameter POWER_BITS         = 12,  // PF
+  parameter SPECULAR_SQUARINGS = 5,   // K
+  parameter DEPTH_BITS         = 20
+) (
+  input  wire       clk,
+  input  wire       rst,
+  input  wire       draw_bump_i,
+  input  wire       draw_shadow_i,
+  input  wire       draw_exponent_zero_i,
+  input  wire [3:0] draw_squarings_i,
+  input  wire       in_valid_i,
+  output wire       in_ready_o,
+  input  wire [3*(UNIT_BITS+2)-1:0]                           n_i,         // s1.F
+  input  wire [3*(UNIT_BITS+2)-1:0]                           l_i,
+  input  wire [(LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0]     h_i,
+  input  wire                                                 zero_i,
+  input  wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]           decal_i,
+  input  wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_i,
+  output wire       out_valid_o,
+  input  wire       out_ready_i,
+  output wire [DOT_BITS:0]                                    nl_o,        // u1.DF
+  output wire [(LIGHTING != 0 ? DOT_BITS : 0):0]              nh_o,        // u1.DF
+  output wire [DOT_BITS:0]                                    diffuse_o,   // u1.DF
+  output wire [(LIGHTING != 0 ? POWER_BITS : 0):0]            specular_o,  // u1.PF
+  output wire                                                 zero_o,
+  output wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]           decal_o,
+  output wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_o,
+  output wire       busy_o
+);
+  localparam TAG     = 2 * SCREEN_BITS + 1 + (DEPTH != 0 ? DEPTH_BITS : 0);
+  localparam DECAL_W = DECAL != 0 ? 3 * TEXEL_BITS : 1;
+  localparam N       = UNIT_BITS + 2;
+  localparam K       = LIGHTING != 0 ? SPECULAR_SQUARINGS : 0;
+  localparam SHADOW  = SELF_SHADOW != 0 ? 1 : 0;
+  localparam RANKS   = 2 + K + SHADOW;
+
+  wire              advance;
+  wire [DOT_BITS:0] nl2, nl;     // after rank 2 and after the power
+
+  wrinkle_pipe #(.RANKS(RANKS)) pipe (
+    .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
+    .out_ready_i(out_ready_i), .busy_o(busy_o));
+  assign in_ready_o = advance;
+
+  wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
+    .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .dot_o(nl2));
+  wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(K)) delay_nl (
+    .clk(clk), .advance_i(advance), .data_i(nl2), .data_o(nl));
+
+  // The shadow factor, for the last rank.
+  wire [DOT_BITS:0] factor;
+  generate
+    if (SHADOW != 0) begin : shadowed
+      localparam LZ_BITS = (UNIT_BITS > DOT_BITS ? UNIT_BITS : DOT_BITS) + 3;
+      wire [DOT_BITS:0] source;
+      if (DATAPATH != 0) begin : from_l
+        wire signed [LZ_BITS-1:0] lz_rounded;
+        wire [DOT_BITS:0]         lz, lz_late;
+        wrinkle_round_half_up #(
+          .VALUE_BITS(N), .SHIFT(UNIT_BITS - DOT_BITS), .RESULT_BITS(LZ_BITS)
+        ) round (.value_i(l_i[2*N +: N]), .result_o(lz_rounded));
+        wrinkle_saturate #(
+          .VALUE_BITS(LZ_BITS), .RESULT_BITS(DOT_BITS + 1), .MINIMUM(0), .MAXIMUM(1 << DOT_BITS)
+        ) saturate (.value_i(lz_rounded), .result_o(lz));
+        wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(2 + K)) delay_lz (
+          .clk(clk), .advance_i(advance), .data_i(lz), .data_o(lz_late));
+        assign source = draw_bump_i ? lz_late : nl;
+      end else begin : from_nl
+        wire unused_bump = draw_bump_i;
+        assign source = nl;
+      end
+      wire over = SELF_SHADOW == 1 ? |source : |source[DOT_BITS:DOT_BITS-3];
+      assign factor = ~draw_shadow_i | over ? {1'b1, {DOT_BITS{1'b0}}} :
+                      SELF_SHADOW == 1 ? {(DOT_BITS + 1){1'b0}} : {source[DOT_BITS-3:0], 3'b000};
+
+      wire [DOT_BITS:0] diffuse;
+      reg [DOT_BITS:0]  diffuse_q;
+      wrinkle_scale #(.BITS(DOT_BITS + 1), .FRACTION_BITS(DOT_BITS)) scale (
+        .a_i(nl), .b_i(factor), .result_o(diffuse));
+      assign diffuse_o = diffuse_q;
+      always @(posedge clk) if (advance) diffuse_q <= diffuse;
+    end else begin : unshadowed
+      wire unused_pins = &{1'b0, draw_bump_i, draw_shadow_i};
+      assign factor    = {1'b1, {DOT_BITS{1'b0}}};
+      assign diffuse_o = nl;
+    end
+
+    if (LIGHTING != 0) begin : halfangle
+      wire [DOT_BITS:0]   nh2;
+      wire [POWER_BITS:0] power;
+      wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nh (
+        .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .dot_o(nh2));
+      wrinkle_power #(.POWER_BITS(POWER_BITS), .SQUARINGS(K)) powers (
+        .clk(clk), .advance_i(advance), .squarings_i(draw_squarings_i), .exponent_zero_i(draw_exponent_zero_i),
+        .x_i({nh2, {(POWER_BITS - DOT_BITS){1'b0}}}), .power_o(power));
+      wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(K + SHADOW)) delay_nh (
+        .clk(clk), .advance_i(advance), .data_i(nh2), .data_o(nh_o));
+      if (SHADOW != 0) begin : shadowed_specular
+        wire [POWER_BITS:0] scaled;
+        reg [POWER_BITS:0]  specular_q;
+        wrinkle_scale #(.BITS(POWER_BITS + 1), .FRACTION_BITS(DOT_BITS)) scale (
+          .a_i(power), .b_i(factor), .result_o(scaled));
+        assign specular_o = specular_q;
+        always @(posedge clk)
+          if (advance) specular_q <= ~draw_shadow_i ? power : |nl ? scaled : {(POWER_BITS + 1){1'b0}};
+      end else begin : plain_specular
+        wire unused_factor = &{1'b0, factor};
+        assign specular_o = power;
+      end
+    end else begin : diffuse_only
+      wire unused_pins = &{1'b0, h_i, draw_exponent_zero_i, draw_squarings_i, factor};
+      assign nh_o       = 1'b0;
+      assign specular_o = 1'b0;
+    end
+  endgenerate
+
+  wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(SHADOW)) delay_nl_out (
+    .clk(clk), .advance_i(advance), .data_i(nl), .data_o(nl_o));
+  wrinkle_delay #(.WIDTH(1), .RANKS(RANKS)) delay_zero (
+    .clk(clk), .advance_i(advance), .data_i(zero_i), .data_o(zero_o));
+  wrinkle_delay #(.WIDTH(DECAL_W), .RANKS(DECAL != 0 ? RANKS : 0)) delay_decal (
+    .clk(clk), .advance_i(advance), .data_i(decal_i), .data_o(decal_o));
+  wrinkle_delay #(.WIDTH(TAG), .RANKS(RANKS)) delay_tag (
+    .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
+endmodule
+`default_nettype wire
