@@ -14,9 +14,9 @@ struct Place {
 
   std::string text() const {
     std::string t = file;
-    if (line > 0) t += ":" + std::to_string(line);
-    if (line > 0 && column > 0) t += ":" + std::to_string(column);
-    if (!inner.empty()) t += ": " + inner;
+    if (line > 0) t.append(":").append(std::to_string(line));
+    if (line > 0 && column > 0) t.append(":").append(std::to_string(column));
+    if (!inner.empty()) t.append(": ").append(inner);
     return t;
   }
 };

@@ -157,22 +157,57 @@ int TomlTable::choice(std::string_view key, std::span<const std::string_view> ch
   return static_cast<int>(found - choices.begin());
 }
 
-std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count, double minimum, double maximum,
-                                       std::optional<std::vector<double>> standard) const {
-  const std::string expected = "an array of " + std::to_string(count) + " numbers";
+const toml::array& TomlTable::array(std::string_view key, std::size_t count, const std::string& expected) const {
   const toml::node* node = find(key);
-  if (node == nullptr) {
-    if (!standard) missing(key, expected);
-    return *standard;
-  }
+  if (node == nullptr) missing(key, expected);
   const toml::array* array = node->as_array();
   if (array == nullptr) throw InputError(place(key), std::string(key) + " = " + describe(*node), expected);
   if (array->size() != count) {
     throw InputError(place(key), std::string(key) + " of " + std::to_string(array->size()) + " elements", expected);
   }
+  return *array;
+}
+
+std::vector<int> TomlTable::choices(std::string_view key, std::size_t count,
+                                    std::initializer_list<std::string_view> choices) const {
+  std::vector<int> indices;
+  for (const toml::node& element : array(key, count, "an array of " + std::to_string(count) + " choices")) {
+    const auto* text = element.as_string();
+    const auto found = text == nullptr ? choices.end() : std::find(choices.begin(), choices.end(), text->get());
+    if (found == choices.end()) {
+      throw InputError(place_of(file_, element), describe(element), list_of({choices.begin(), choices.size()}));
+    }
+    indices.push_back(static_cast<int>(found - choices.begin()));
+  }
+  return indices;
+}
+
+std::vector<std::int64_t> TomlTable::integers(std::string_view key, std::size_t count, std::int64_t minimum,
+                                              std::int64_t maximum,
+                                              std::optional<std::vector<std::int64_t>> standard) const {
+  if (!has(key) && standard) return *standard;
+  const std::string range = std::to_string(minimum) + " to " + std::to_string(maximum);
+  std::vector<std::int64_t> values;
+  for (const toml::node& element :
+       array(key, count, "an array of " + std::to_string(count) + " integers from " + range)) {
+    const auto* value = element.as_integer();
+    if (value == nullptr || value->get() < minimum || value->get() > maximum) {
+      throw InputError(place_of(file_, element), describe(element) + " in " + std::string(key),
+                       "an integer from " + range);
+    }
+    values.push_back(value->get());
+  }
+  return values;
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count, double minimum, double maximum,
+                                       std::optional<std::vector<double>> standard) const {
+  if (!has(key) && standard) return *standard;
   std::vector<double> values;
-  for (const toml::node& element : *array) {
-    if (!element.is_number()) throw InputError(place_of(file_, element), describe(element), "a number");
+  for (const toml::node& element : array(key, count, "an array of " + std::to_string(count) + " numbers")) {
+    if (!element.is_number()) {
+      throw InputError(place_of(file_, element), describe(element) + " in " + std::string(key), "a number");
+    }
     values.push_back(checked_number(*element.value<double>(), minimum, maximum,
                                     std::string(key) + "[" + std::to_string(values.size()) + "]",
                                     place_of(file_, element)));

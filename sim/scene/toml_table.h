@@ -46,6 +46,12 @@ class TomlTable {
              std::optional<int> standard = {}) const {
     return choice(key, std::span<const std::string_view>(choices.begin(), choices.size()), standard);
   }
+  std::vector<int> choices(std::string_view key, std::size_t count,
+                           std::initializer_list<std::string_view> choices) const;
+  // An array of `count` integers.
+  std::vector<std::int64_t> integers(std::string_view key, std::size_t count, std::int64_t minimum,
+                                     std::int64_t maximum,
+                                     std::optional<std::vector<std::int64_t>> standard = {}) const;
   // An array of `count` numbers.
   std::vector<double> numbers(std::string_view key, std::size_t count, double minimum, double maximum,
                               std::optional<std::vector<double>> standard = {}) const;
@@ -59,6 +65,7 @@ class TomlTable {
 
  private:
   const toml::node* find(std::string_view key) const;
+  const toml::array& array(std::string_view key, std::size_t count, const std::string& expected) const;
   [[noreturn]] void missing(std::string_view key, const std::string& expected) const;
 
   std::string file_;

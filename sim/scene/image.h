@@ -1,0 +1,41 @@
+// Images through OpenImageIO, with every header judged before memory is taken for it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "golden/vector.h"
+#include "sim/input_error.h"
+
+namespace wrinkle {
+
+inline constexpr int kMaximumImageSide = 16384;
+inline constexpr std::uint64_t kMaximumImageBytes = std::uint64_t{1} << 28;  // as floats
+
+// Row-major from the upper left corner, channels interleaved: one (grey) or three (red, green, blue). Integer codes are
+// c / (2^n - 1), in [0, 1]; floats are as stored and finite. Codes stay codes: nothing is converted from sRGB, and
+// nothing is multiplied by alpha, which is dropped.
+struct Image {
+  int width = 0, height = 0, channels = 0;
+  std::vector<float> pixels;
+
+  float at(int x, int y, int channel) const {
+    const auto w = static_cast<std::size_t>(width), c = static_cast<std::size_t>(channels);
+    return pixels[(static_cast<std::size_t>(y) * w + static_cast<std::size_t>(x)) * c +
+                  static_cast<std::size_t>(channels == 1 ? 0 : channel)];
+  }
+};
+
+Image read_image(const std::filesystem::path& path);
+// An image file held in memory, PNG, JPEG or WebP. `place` is where it was embedded.
+Image read_image(const std::string& bytes, const Place& place);
+
+// Mean of each channel; grey gives three equal ones.
+Vec3 mean_colour(const Image& image);
+
+// Whether an image given as a bump map holds normals, not heights: it is coloured (mean |red - blue| over 0.05), leans
+// to blue (mean over 0.65), and its decoded vectors have a mean length within 0.2 of 1.
+bool looks_like_normal_map(const Image& image);
+
+}  // namespace wrinkle

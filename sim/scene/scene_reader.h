@@ -1,0 +1,26 @@
+// Scenes from files. docs/formats.md, "Scene file".
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "golden/vertex/scene.h"
+#include "sim/scene/notes.h"
+
+namespace wrinkle {
+
+// A scene from .toml, .gltf, .glb or .obj, whose name may also be that of one in sim/scenes ("teapot"). Bad input is an
+// InputError with file and place. What was passed over is added to `notes`.
+Scene read_scene(const std::filesystem::path& path, Notes* notes = nullptr);
+
+// The names under sim/scenes, sorted.
+std::vector<std::string> named_scenes();
+
+// The reader behind it for .toml.
+Scene read_toml_scene(const std::filesystem::path& path, Notes& notes);
+
+// The configuration that shows a scene without one of its own: `fine` where there is a decal, else `perspective` or
+// `standard` by the camera.
+std::string fitting_config(bool decal, bool perspective);
+
+}  // namespace wrinkle
