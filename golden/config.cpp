@@ -129,6 +129,10 @@ int widest_operand_bits(const Config& config) {
                    light_bits(config), output_bits(config)});
 }
 
-int lane_bits(const Config& config) { return widest_operand_bits(config) <= 32 ? 32 : 64; }
+int lane_bits(const Config& config) {
+  // Factors that the pixel stages multiply as halves of a lane, the sign apart.
+  const int magnitude = config.vector_bits + 1, root = rsqrt_geometry(config.unit_bits).output_bits + 1;
+  return widest_operand_bits(config) <= 32 && std::max(magnitude, root) <= 15 ? 32 : 64;
+}
 
 }  // namespace wrinkle

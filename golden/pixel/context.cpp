@@ -1,5 +1,6 @@
 #include "golden/pixel/context.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace wrinkle {
@@ -11,6 +12,7 @@ void fill(const Context& context, Tables<Int>& tables) {
   const std::int64_t leading = std::int64_t{1} << (g.output_bits + g.guard_bits);
   for (const Segment& s : rsqrt_table(g))
     tables.rsqrt.push_back(static_cast<Int>(((s.base - leading) << kSlopeBits) | s.slope));
+  tables.rsqrt.resize(std::max(tables.rsqrt.size(), kSmallTable));
   if (context.config.perspective == 0) return;
   for (const Segment& s : reciprocal_table(context.reciprocal)) {
     tables.reciprocal_base.push_back(s.base);
@@ -32,7 +34,7 @@ Context make_context(const Config& config) {
   return context;
 }
 
-void bind(Context& context, const DrawWords& draw, std::shared_ptr<const BoundTexture> texture) {
+void set_draw(Context& context, const DrawWords& draw, std::shared_ptr<const BoundTexture> texture) {
   context.draw = draw;
   context.texture = std::move(texture);
   if (context.texture == nullptr) return;

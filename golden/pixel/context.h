@@ -17,12 +17,26 @@ namespace wrinkle {
 // Slopes of a packed segment; the base above them has its leading bit, always set, left out.
 inline constexpr int kSlopeBits = 13;
 
+// Entries of a table that lookup32() reads, at least.
+inline constexpr std::size_t kSmallTable = 32;
+
 // Tables in lanes of one width.
 template <class Int>
 struct Tables {
   std::vector<Int> rsqrt;  // (base - 2^(RB+g)) << kSlopeBits | slope
   std::vector<Int> reciprocal_base, reciprocal_slope;
   std::array<Int, kLevels> level_offset{}, level_stride{};
+};
+
+// What a stage takes along into its loops, by value: a store to a column could otherwise change it, as far as the
+// compiler knows.
+template <class Int>
+struct Constants {
+  Config config;
+  DrawWords draw;
+  RsqrtGeometry rsqrt;
+  ReciprocalGeometry reciprocal;
+  const Int *rsqrt_table, *reciprocal_base, *reciprocal_slope, *level_offset, *level_stride;
 };
 
 // One interpolated component and its place in a lane.
@@ -43,17 +57,27 @@ struct Context {
   std::shared_ptr<const BoundTexture> texture;  // null where the draw fetches no texels
 
   template <class Int>
-  const Tables<Int>& tables() const {
+  Constants<Int> constants() const {
+    const Tables<Int>* tables;
     if constexpr (sizeof(Int) == 4)
-      return narrow;
+      tables = &narrow;
     else
-      return wide;
+      tables = &wide;
+    return {config,
+            draw,
+            rsqrt,
+            reciprocal,
+            tables->rsqrt.data(),
+            tables->reciprocal_base.data(),
+            tables->reciprocal_slope.data(),
+            tables->level_offset.data(),
+            tables->level_stride.data()};
   }
 };
 
 // The configuration must be legal.
 Context make_context(const Config& config);
 // Replaces the draw state; `texture` as DrawWords::texture names it, null where nothing is fetched.
-void bind(Context& context, const DrawWords& draw, std::shared_ptr<const BoundTexture> texture);
+void set_draw(Context& context, const DrawWords& draw, std::shared_ptr<const BoundTexture> texture);
 
 }  // namespace wrinkle

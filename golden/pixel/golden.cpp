@@ -99,7 +99,7 @@ struct Golden::State {
       } else {
         gatherer.flush();
         const DrawWords state = decode_draw(words.first(size));
-        bind(context, state, texture_of(state));
+        set_draw(context, state, texture_of(state));
       }
       words = words.subspan(size);
     }

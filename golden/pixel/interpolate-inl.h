@@ -47,39 +47,40 @@ Int* plane_column(Batch<Int>& batch, Component component) {
   return nullptr;
 }
 
-// One component over one span. A vector may run over the end of the span: the next one writes there later.
-template <class L, bool kIsSigned>
-HWY_INLINE void interpolate_plane(const L& l, typename L::Int value, typename L::Int dw, int shift, int first,
-                                  int count, typename L::Int* out) {
-  const auto step = l.mul_modular(l.set(dw), l.set(l.size()));
-  auto sum = l.add_modular(l.set(value), l.mul_modular(l.iota(), l.set(dw)));
-  for (int i = first; i < first + count; i += l.size()) {
-    const auto shifted = kIsSigned ? l.sar_modular(sum, shift) : l.shr_modular(sum, shift);
-    store_within(l, shifted, std::min(l.size(), kBatch - i), out + i);
-    sum = l.add_modular(sum, step);
+// One component over all spans. A vector may run over the end of its span: the next one writes there later.
+template <bool kIsSigned, class L>
+void interpolate_plane(const L& l, const Plane& plane, const Spans<typename L::Int>& spans, typename L::Int* out) {
+  const auto index = static_cast<std::size_t>(plane.component);
+  const int shift = L::kBits - plane.width;
+  const auto store = [&](typename L::V sum, int i) HWY_ATTR {
+    l.store(kIsSigned ? l.sar_modular(sum, shift) : l.shr_modular(sum, shift), out + i);
+  };
+  const int span_count = spans.count;
+  for (int s = 0; s < span_count; ++s) {
+    const auto& span = spans.span[static_cast<std::size_t>(s)];
+    const auto dw = l.set(span.dw[index]);
+    auto sum = l.add_modular(l.set(span.value[index]), l.mul_modular(l.iota(), dw));
+    int i = span.first;
+    const int end = i + span.count;
+    store(sum, i);
+    for (i += l.size(); i < end; i += l.size()) {
+      sum = l.add_modular(sum, l.mul_modular(dw, l.set(l.size())));
+      store(sum, i);
+    }
   }
 }
 
 template <class L>
 void interpolate(const L& l, const Context& c, const Spans<typename L::Int>& spans, Batch<typename L::Int>& batch) {
-  using Int = typename L::Int;
   for (const Plane& plane : c.planes) {
-    const auto index = static_cast<std::size_t>(plane.component);
-    const int shift = L::kBits - plane.width;
-    Int* out = plane_column(batch, plane.component);
-    for (int s = 0; s < spans.count; ++s) {
-      const auto& span = spans.span[static_cast<std::size_t>(s)];
-      if (plane.is_signed)
-        interpolate_plane<L, true>(l, span.value[index], span.dw[index], shift, span.first, span.count, out);
-      else
-        interpolate_plane<L, false>(l, span.value[index], span.dw[index], shift, span.first, span.count, out);
-    }
+    auto* out = plane_column(batch, plane.component);
+    plane.is_signed ? interpolate_plane<true>(l, plane, spans, out) : interpolate_plane<false>(l, plane, spans, out);
   }
   if (!c.config.has_texture() || c.config.perspective != 0) return;
-  Int* lod = batch.interpolate_lod[0].data();
+  auto* lod = batch.interpolate_lod[0].data();
   for (int s = 0; s < spans.count; ++s) {
     const auto& span = spans.span[static_cast<std::size_t>(s)];
-    std::fill_n(lod + span.first, span.count, static_cast<Int>(span.lod));
+    for (int i = 0; i < span.count; i += l.size()) l.store(l.set(span.lod), lod + span.first + i);
   }
 }
 

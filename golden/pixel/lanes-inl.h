@@ -2,6 +2,7 @@
 // operation through it, so that one source is the scalar model, the checked one and, target by target, the SIMD one.
 //
 //   add sub mul shl sar ...     exact: the result must fit the lane, which CheckedLanes verifies
+//   mul_half                    the same, for operands of half a lane: a signed, b at least 0 and below 2^(lane/2 - 1)
 //   add_modular mul_modular     modulo 2^lane, for accumulators kept left-aligned
 //
 // `n` of a shift is the same for all lanes; shl_each and sar_each take one count a lane.
@@ -48,11 +49,17 @@ struct ScalarLanes {
   V iota() const { return 0; }
   V load(const Int* p) const { return *p; }
   void store(V v, Int* p) const { *p = v; }
-  void store_first(V v, int, Int* p) const { *p = v; }
 
   V add(V a, V b) const { return checked(a + b); }
   V sub(V a, V b) const { return checked(a - b); }
   V mul(V a, V b) const { return checked(a * b); }
+  V mul_half(V a, V b) const {
+    if constexpr (kIsChecked) {
+      const int half = bits / 2 - 1;
+      if (a >> half != a >> 63 || b >> half != 0) throw std::logic_error("an operand leaves its half of the lane");
+    }
+    return checked(a * b);
+  }
   V add_modular(V a, V b) const { return wrap(unsigned_of(a) + unsigned_of(b)); }
   V mul_modular(V a, V b) const { return wrap(unsigned_of(a) * unsigned_of(b)); }
   V shl_modular(V a, int n) const { return wrap(unsigned_of(a) << n); }
@@ -74,6 +81,7 @@ struct ScalarLanes {
   // floor(log2(v)) of v in [1, 2^24); anything for 0.
   V floor_log2(V v) const { return static_cast<V>(std::bit_width(static_cast<std::uint64_t>(v))) - 1; }
   V lookup(const Int* table, V index) const { return table[index]; }
+  V lookup32(const Int* table, V index) const { return table[index]; }
   V lookup16(const Int* table, V index) const { return table[index]; }
   // The low or high half of 64-bit words.
   V low_half(const std::uint64_t* p) const { return static_cast<V>(*p & 0xffffffffu); }
@@ -93,6 +101,9 @@ struct SimdLanes {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
   static constexpr int kBits = 8 * sizeof(T);
+  // Where each lane can have its own count, a hoisted vector of counts is cheaper than a count in another register.
+  static constexpr bool kShiftsEach =
+      HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL || (HWY_TARGET == HWY_AVX2 && sizeof(T) == 4);
 
   static int size() { return static_cast<int>(hn::Lanes(D())); }
 
@@ -100,20 +111,39 @@ struct SimdLanes {
   HWY_INLINE V iota() const { return hn::Iota(D(), T{0}); }
   HWY_INLINE V load(const Int* p) const { return hn::LoadU(D(), p); }
   HWY_INLINE void store(V v, Int* p) const { hn::StoreU(v, D(), p); }
-  HWY_INLINE void store_first(V v, int n, Int* p) const {
-    hn::BlendedStore(v, hn::FirstN(D(), static_cast<std::size_t>(n)), D(), p);
-  }
 
   HWY_INLINE V add(V a, V b) const { return hn::Add(a, b); }
   HWY_INLINE V sub(V a, V b) const { return hn::Sub(a, b); }
   HWY_INLINE V mul(V a, V b) const { return hn::Mul(a, b); }
+  HWY_INLINE V mul_half(V a, V b) const {
+#if HWY_TARGET <= HWY_SSSE3 && HWY_ARCH_X86
+    // One multiplication of 16-bit pairs, or of 32-bit even lanes, where a full one takes two or three. The high half
+    // of b is 0, so that of a adds nothing.
+    if constexpr (sizeof(T) == 4) {
+      const hn::Repartition<std::int16_t, D> halves;
+      auto none = hn::Zero(D());
+      return hn::ReorderWidenMulAccumulate(D(), hn::BitCast(halves, a), hn::BitCast(halves, b), none, none);
+    } else {
+      const hn::Repartition<std::int32_t, D> halves;
+      return hn::MulEven(hn::BitCast(halves, a), hn::BitCast(halves, b));
+    }
+#else
+    return hn::Mul(a, b);
+#endif
+  }
   HWY_INLINE V add_modular(V a, V b) const { return hn::Add(a, b); }
   HWY_INLINE V mul_modular(V a, V b) const { return hn::Mul(a, b); }
-  HWY_INLINE V shl_modular(V a, int n) const { return hn::ShiftLeftSame(a, n); }
-  HWY_INLINE V sar_modular(V a, int n) const { return hn::ShiftRightSame(a, n); }
+  HWY_INLINE V shl_modular(V a, int n) const { return shl(a, n); }
+  HWY_INLINE V sar_modular(V a, int n) const { return sar(a, n); }
   HWY_INLINE V shr_modular(V a, int n) const { return hn::BitCast(D(), hn::ShiftRightSame(hn::BitCast(U(), a), n)); }
-  HWY_INLINE V shl(V a, int n) const { return hn::ShiftLeftSame(a, n); }
-  HWY_INLINE V sar(V a, int n) const { return hn::ShiftRightSame(a, n); }
+  HWY_INLINE V shl(V a, int n) const {
+    if constexpr (kShiftsEach) return hn::Shl(a, set(static_cast<T>(n)));
+    return hn::ShiftLeftSame(a, n);
+  }
+  HWY_INLINE V sar(V a, int n) const {
+    if constexpr (kShiftsEach) return hn::Shr(a, set(static_cast<T>(n)));
+    return hn::ShiftRightSame(a, n);
+  }
   HWY_INLINE V shl_each(V a, V n) const { return hn::Shl(a, n); }
   HWY_INLINE V sar_each(V a, V n) const { return hn::Shr(a, n); }
   HWY_INLINE V min(V a, V b) const { return hn::Min(a, b); }
@@ -139,12 +169,18 @@ struct SimdLanes {
     }
   }
   HWY_INLINE V lookup(const Int* table, V index) const { return hn::GatherIndex(D(), table, index); }
-  // A table of 16 entries, held in registers where a register has as many lanes.
+  // Tables of 16 and 32 entries, held in registers where those have as many lanes.
   HWY_INLINE V lookup16(const Int* table, V index) const {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     if constexpr (sizeof(T) == 4) return hn::TableLookupLanes(load(table), hn::IndicesFromVec(D(), index));
 #endif
     return hn::GatherIndex(D(), table, index);
+  }
+  HWY_INLINE V lookup32(const Int* table, V index) const {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    if constexpr (sizeof(T) == 4) return V{_mm512_permutex2var_epi32(load(table).raw, index.raw, load(table + 16).raw)};
+#endif
+    return lookup(table, index);
   }
   HWY_INLINE V low_half(const std::uint64_t* p) const {
 #if HWY_TARGET == HWY_SCALAR
@@ -171,15 +207,6 @@ struct SimdLanes {
 #endif
   }
 };
-
-// Stores all lanes, or the first `room` of them where there is not room for all.
-template <class L>
-HWY_INLINE void store_within(const L& l, typename L::V v, int room, typename L::Int* p) {
-  if (room >= l.size())
-    l.store(v, p);
-  else
-    l.store_first(v, room, p);
-}
 
 // (x + 2^(n-1)) >> n; x << -n for n <= 0.
 template <class L>

@@ -22,7 +22,7 @@ HWY_INLINE typename L::V clamped_dot(const L& l, const Config& c, const Columns&
 }
 
 template <class L>
-HWY_INLINE typename L::V power(const L& l, const Context& c, typename L::V nh) {
+HWY_INLINE typename L::V power(const L& l, const Constants<typename L::Int>& c, typename L::V nh) {
   if (c.draw.exponent_zero) return l.set(1 << c.config.power_bits);
   auto p = l.shl(nh, c.config.power_bits - c.config.dot_bits);
   for (int k = 0; k < c.draw.squarings; ++k) p = round_half_up(l, l.mul(p, p), c.config.power_bits);
@@ -31,7 +31,8 @@ HWY_INLINE typename L::V power(const L& l, const Context& c, typename L::V nh) {
 
 // The factor of light that the unperturbed surface lets through, u1.DF.
 template <class L>
-HWY_INLINE typename L::V shadow_factor(const L& l, const Context& c, typename L::V lz, typename L::V nl) {
+HWY_INLINE typename L::V shadow_factor(const L& l, const Constants<typename L::Int>& c, typename L::V lz,
+                                       typename L::V nl) {
   const auto one = l.set(1 << c.config.dot_bits);
   const auto zero = l.set(0);
   const auto tangent = l.min(round_half_up(l, l.max(lz, zero), c.config.unit_bits - c.config.dot_bits), one);
@@ -41,7 +42,8 @@ HWY_INLINE typename L::V shadow_factor(const L& l, const Context& c, typename L:
 }
 
 template <class L>
-void light(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
+  const auto c = context.constants<typename L::Int>();
   const bool shadow = c.draw.shadow && c.config.self_shadow != static_cast<int>(SelfShadow::kOff);
   const int df = c.config.dot_bits;
   for (int first = 0; first < batch.count; first += l.size()) {

@@ -21,22 +21,22 @@ struct Triple {
 
 // rsqrt() of golden/pixel/rsqrt.h, lane by lane.
 template <class L>
-HWY_INLINE typename L::V rsqrt(const L& l, const Context& c, typename L::V t) {
+HWY_INLINE typename L::V rsqrt(const L& l, const Constants<typename L::Int>& c, typename L::V t) {
   const RsqrtGeometry& g = c.rsqrt;
   const int n = g.offset_bits(), k = g.segment_bits;
   const auto half = l.sar(t, g.input_bits - 1);
   const auto x = l.select(l.equal(half, l.set(0)), l.shl(t, 1), t);
   const auto index = l.or_(l.shl(half, k), l.and_(l.sar(x, n), l.set((1 << k) - 1)));
   const auto dx = l.and_(x, l.set((1 << n) - 1));
-  const auto segment = l.lookup(c.tables<typename L::Int>().rsqrt.data(), index);
+  const auto segment = k < 5 ? l.lookup32(c.rsqrt_table, index) : l.lookup(c.rsqrt_table, index);
   const auto base = l.add(l.shr_modular(segment, kSlopeBits), l.set(1 << (g.output_bits + g.guard_bits)));
   const auto slope = l.and_(segment, l.set((1 << kSlopeBits) - 1));
-  const auto r = l.sar(l.sub(l.shl(base, n), l.mul(slope, dx)), n + g.guard_bits);
+  const auto r = l.sar(l.sub(l.shl(base, n), l.mul_half(slope, dx)), n + g.guard_bits);
   return l.min(r, l.set((2 << g.output_bits) - 1));
 }
 
 template <class L>
-HWY_INLINE Triple<L> normalize_faithful(const L& l, const Context& c, const Triple<L>& v) {
+HWY_INLINE Triple<L> normalize_faithful(const L& l, const Constants<typename L::Int>& c, const Triple<L>& v) {
   const RsqrtGeometry& g = c.rsqrt;
   const int p = c.config.vector_bits + 1;
   const auto limit = l.set((1 << p) - 1);
@@ -46,7 +46,7 @@ HWY_INLINE Triple<L> normalize_faithful(const L& l, const Context& c, const Trip
   const auto any = l.or_(l.or_(m.x, m.y), m.z);
   const auto shift = l.sub(l.set(p - 1), l.floor_log2(l.max(any, l.set(1))));
   m = {l.shl_each(m.x, shift), l.shl_each(m.y, shift), l.shl_each(m.z, shift)};
-  const auto sum = l.add(l.add(l.mul(m.x, m.x), l.mul(m.y, m.y)), l.mul(m.z, m.z));
+  const auto sum = l.add(l.add(l.mul_half(m.x, m.x), l.mul_half(m.y, m.y)), l.mul_half(m.z, m.z));
   const auto one = l.set(1);
   const auto e = l.select(l.less(sum, l.shl(one, 2 * p)), zero, one);
   const auto aligned = l.shl_each(sum, l.sub(l.set(2), l.add(e, e)));
@@ -54,14 +54,14 @@ HWY_INLINE Triple<L> normalize_faithful(const L& l, const Context& c, const Trip
   const auto r = rsqrt(l, c, dropped >= 0 ? l.sar(aligned, dropped) : l.shl(aligned, -dropped));
   const auto down = l.add(l.set(p + g.output_bits - c.config.unit_bits), e);
   const auto scale = [&](typename L::V a, typename L::V sign_of) HWY_ATTR {
-    const auto n = round_half_up_each(l, l.mul(a, r), down);
+    const auto n = round_half_up_each(l, l.mul_half(a, r), down);
     return l.select(l.less(sign_of, zero), l.sub(zero, n), n);
   };
   return {scale(m.x, v.x), scale(m.y, v.y), scale(m.z, v.z)};
 }
 
 template <class L>
-HWY_INLINE Triple<L> normalize_none(const L& l, const Context& c, const Triple<L>& v) {
+HWY_INLINE Triple<L> normalize_none(const L& l, const Constants<typename L::Int>& c, const Triple<L>& v) {
   const int shift = c.config.vector_bits - c.config.unit_bits;
   const typename L::Int limit = typename L::Int{2} << c.config.unit_bits;
   const auto scale = [&](typename L::V a)
@@ -71,8 +71,9 @@ HWY_INLINE Triple<L> normalize_none(const L& l, const Context& c, const Triple<L
 
 // One unit over the batch. `zero` collects the fragments whose vector has no direction.
 template <class L, class Columns>
-void normalize_unit(const L& l, const Context& c, int normalizer, Columns& in, Columns& out,
+void normalize_unit(const L& l, const Context& context, int normalizer, Columns& in, Columns& out,
                     typename Columns::value_type& zero, int count) {
+  const auto c = context.constants<typename L::Int>();
   for (int first = 0; first < count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
     const Triple<L> v{l.load(&in[0][i]), l.load(&in[1][i]), l.load(&in[2][i])};

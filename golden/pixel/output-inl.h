@@ -15,8 +15,8 @@ namespace wrinkle {
 namespace HWY_NAMESPACE {
 
 template <class L>
-HWY_INLINE typename L::V shade_channel(const L& l, const Context& c, std::size_t k, typename L::V diffuse,
-                                       typename L::V specular, const typename L::Int* decal) {
+HWY_INLINE typename L::V shade_channel(const L& l, const Constants<typename L::Int>& c, std::size_t k,
+                                       typename L::V diffuse, typename L::V specular, const typename L::Int* decal) {
   const Config& config = c.config;
   const int df = config.dot_bits, pf = config.power_bits, bits = config.colour_bits;
   auto base = l.add(l.shl(l.set(c.draw.ambient[k]), df), l.mul(l.set(c.draw.diffuse[k]), diffuse));
@@ -31,7 +31,8 @@ HWY_INLINE typename L::V shade_channel(const L& l, const Context& c, std::size_t
 }
 
 template <class L>
-void output(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+void output(const L& l, const Context& context, Batch<typename L::Int>& batch) {
+  const auto c = context.constants<typename L::Int>();
   for (std::size_t k = 0; k < static_cast<std::size_t>(c.config.channel_count()); ++k) {
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);

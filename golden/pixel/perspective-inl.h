@@ -16,20 +16,20 @@ namespace HWY_NAMESPACE {
 
 // reciprocal() of golden/pixel/reciprocal.h, lane by lane.
 template <class L>
-HWY_INLINE typename L::V reciprocal(const L& l, const Context& c, typename L::V m) {
-  const auto& tables = c.tables<typename L::Int>();
+HWY_INLINE typename L::V reciprocal(const L& l, const Constants<typename L::Int>& c, typename L::V m) {
   const ReciprocalGeometry& g = c.reciprocal;
   const int n = g.offset_bits();
   const auto index = l.and_(l.sar(m, n), l.set((1 << g.segment_bits()) - 1));
   const auto dx = l.and_(m, l.set((1 << n) - 1));
-  const auto base = l.lookup(tables.reciprocal_base.data(), index);
-  const auto slope = l.lookup(tables.reciprocal_slope.data(), index);
-  const auto r = l.sar(l.sub(l.shl(base, n), l.mul(slope, dx)), n + kReciprocalGuard);
+  const auto base = l.lookup(c.reciprocal_base, index);
+  const auto slope = l.lookup(c.reciprocal_slope, index);
+  const auto r = l.sar(l.sub(l.shl(base, n), l.mul_half(slope, dx)), n + kReciprocalGuard);
   return l.min(r, l.set((2 << g.output_bits) - 1));
 }
 
 template <class L>
-void perspective(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+void perspective(const L& l, const Context& context, Batch<typename L::Int>& batch) {
+  const auto c = context.constants<typename L::Int>();
   if (!c.config.has_texture() || c.config.perspective == 0) return;
   const int wrap = L::kBits - c.config.uv_width();
   for (int i = 0; i < batch.count; i += l.size()) {

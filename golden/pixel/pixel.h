@@ -17,12 +17,14 @@ namespace wrinkle {
 
 // Fragments in structure-of-arrays form, small enough for the first-level cache. A batch never spans two draws.
 inline constexpr int kBatch = 256;
+// A vector that begins inside a column may run over its end by so much.
+inline constexpr int kBatchPadding = 16;
 
 // STAGE_NAME[element][fragment] for every value of components.def, as signed integers in that value's format.
 // Int is std::int32_t or std::int64_t, as lane_bits() says. Values and elements a configuration lacks are 0.
 template <class Int>
 struct Batch {
-  using Column = std::array<Int, kBatch>;
+  using Column = std::array<Int, kBatch + kBatchPadding>;
   int count = 0;
   std::array<std::uint32_t, kBatch> packet;  // index of the triangle packet, counted over the stream
 #define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) \

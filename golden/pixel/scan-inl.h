@@ -27,10 +27,9 @@ void scan(const L& l, const Context&, const Spans<typename L::Int>& spans, Batch
     const auto mirror = l.set(span.mirror ? -1 : 0);
     for (int i = span.first; i < end; i += l.size()) {
       const auto w = l.add(l.set(span.w + i - span.first), l.iota());
-      const int room = std::min(l.size(), kBatch - i);
-      store_within(l, l.xor_(w, mirror), room, x + i);  // -1 - w is the complement of w
-      store_within(l, row, room, y + i);
-      store_within(l, l.set(0), room, last + i);
+      l.store(l.xor_(w, mirror), x + i);  // -1 - w is the complement of w
+      l.store(row, y + i);
+      l.store(l.set(0), last + i);
     }
     std::fill_n(batch.packet.begin() + span.first, span.count, span.packet);
     last[end - 1] = span.last ? 1 : 0;

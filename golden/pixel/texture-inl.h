@@ -60,14 +60,13 @@ HWY_INLINE Coordinate<L> coordinate(const L& l, const Config& c, typename L::V u
 }
 
 template <class L>
-HWY_INLINE void address(const L& l, const Context& c, typename L::V u, typename L::V v, typename L::V level,
-                        TexelAddresses<typename L::Int>& out, std::size_t i) {
-  const auto& tables = c.tables<typename L::Int>();
+HWY_INLINE void address(const L& l, const Constants<typename L::Int>& c, typename L::V u, typename L::V v,
+                        typename L::V level, TexelAddresses<typename L::Int>& out, std::size_t i) {
   const Coordinate<L> x = coordinate(l, c.config, u, level, c.draw.log2_width, c.draw.wrap_u);
   const Coordinate<L> y = coordinate(l, c.config, v, level, c.draw.log2_height, c.draw.wrap_v);
-  const auto stride = l.lookup16(tables.level_stride.data(), level);
+  const auto stride = l.lookup16(c.level_stride, level);
   const auto row = l.add(l.mul(y.position, stride), x.position);
-  l.store(l.add(l.lookup16(tables.level_offset.data(), level), row), &out.position[i]);
+  l.store(l.add(l.lookup16(c.level_offset, level), row), &out.position[i]);
   l.store(stride, &out.stride[i]);
   l.store(x.weight, &out.weight_u[i]);
   l.store(y.weight, &out.weight_v[i]);
@@ -79,7 +78,7 @@ struct Levels {
   typename L::V a, b, weight;
 };
 template <class L>
-HWY_INLINE Levels<L> mip_levels(const L& l, const Context& c, typename L::V lod) {
+HWY_INLINE Levels<L> mip_levels(const L& l, const Constants<typename L::Int>& c, typename L::V lod) {
   const int bits = c.config.lod_fraction_bits();
   const auto top = l.set(c.draw.max_level);
   const auto zero = l.set(0);
@@ -122,8 +121,10 @@ HWY_INLINE typename L::V filter_quad(const L& l, const Config& c, const Quad<L>&
   const auto component = [&](typename L::V texel) HWY_ATTR { return l.and_(l.sar(texel, shift), mask); };
   const int b = c.weight_fraction_bits();
   if (b == 0) return component(quad.upper_left);
-  const auto upper = interpolated(l, component(quad.upper_left), component(quad.upper_right), quad.weight_u, b);
-  const auto lower = interpolated(l, component(quad.lower_left), component(quad.lower_right), quad.weight_u, b);
+  const auto along_x = [&](typename L::V left, typename L::V right)
+                           HWY_ATTR { return l.add(l.shl(left, b), l.mul_half(l.sub(right, left), quad.weight_u)); };
+  const auto upper = along_x(component(quad.upper_left), component(quad.upper_right));
+  const auto lower = along_x(component(quad.lower_left), component(quad.lower_right));
   return interpolated(l, upper, lower, quad.weight_v, b);
 }
 
@@ -137,8 +138,8 @@ struct Samples {
 
 // Fetches and filters three components; hand_on(component, fragment, f) takes each with D fraction bits.
 template <class L, class HandOn>
-HWY_INLINE void sample(const L& l, const Context& c, const std::vector<std::uint32_t>& texels, int count,
-                       Samples<typename L::Int>& s, const HandOn& hand_on) {
+HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const std::vector<std::uint32_t>& texels,
+                       int count, Samples<typename L::Int>& s, const HandOn& hand_on) {
   const bool trilinear = c.config.trilinear();
   fetch(texels.data(), s.a, count, s.rows_a);
   if (trilinear) fetch(texels.data(), s.b, count, s.rows_b);
@@ -160,7 +161,7 @@ HWY_INLINE void sample(const L& l, const Context& c, const std::vector<std::uint
 
 // A draw without texels: normal 0, decal white.
 template <class L>
-void texture_absent(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+void texture_absent(const L& l, const Constants<typename L::Int>& c, Batch<typename L::Int>& batch) {
   for (std::size_t k = 0; k < 3; ++k) {
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);
@@ -171,7 +172,8 @@ void texture_absent(const L& l, const Context& c, Batch<typename L::Int>& batch)
 }
 
 template <class L>
-void texture(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) {
+  const auto c = context.constants<typename L::Int>();
   if (!c.config.has_texture()) return;
   if (!c.draw.textured) return texture_absent(l, c, batch);
   const auto& u = c.config.perspective != 0 ? batch.perspective_u[0] : batch.interpolate_u[0];
@@ -189,13 +191,13 @@ void texture(const L& l, const Context& c, Batch<typename L::Int>& batch) {
     const int one = (1 << c.config.texel_bits) - (c.config.decode == static_cast<int>(Decode::kRange) ? 1 : 0);
     const auto bias = l.shl(l.set(one), d);
     const int shift = d + c.config.texel_bits - c.config.vector_bits;
-    sample(l, c, c.texture->low, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
+    sample(l, c, context.texture->low, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
       // |n| is at most 2^(D+T): it needs no saturation.
       l.store(round_half_up(l, l.sub(l.shl(f, 1), bias), shift), &batch.texture_n[k][i]);
     });
   }
   if (c.config.decal != 0) {
-    const auto& texels = c.config.has_bump() ? c.texture->high : c.texture->low;
+    const auto& texels = c.config.has_bump() ? context.texture->high : context.texture->low;
     sample(l, c, texels, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
       l.store(round_half_up(l, f, d), &batch.texture_decal[k][i]);
     });
