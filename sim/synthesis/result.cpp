@@ -1,0 +1,94 @@
+#include "sim/synthesis/result.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "tb/process.h"
+
+namespace wrinkle {
+
+std::map<std::string, int> read_cells(const std::filesystem::path& stat) {
+  const auto json = nlohmann::json::parse(read_text(stat));
+  return json.at("design").at("num_cells_by_type").get<std::map<std::string, int>>();
+}
+
+std::vector<Multiplier> read_multipliers(const std::filesystem::path& dump) {
+  std::vector<Multiplier> found;
+  std::istringstream in(read_text(dump));
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string keyword, name;
+    int value = 0;
+    words >> keyword >> name;
+    if (keyword == "cell") found.emplace_back();
+    if (keyword != "parameter" || found.empty()) continue;
+    if (name == "signed") words >> name;
+    words >> value;
+    if (name == "\\A_WIDTH") found.back().a_bits = value;
+    if (name == "\\B_WIDTH") found.back().b_bits = value;
+    if (name == "\\A_SIGNED") found.back().is_signed = value != 0;
+  }
+  return found;
+}
+
+double number_after(const std::string& text, const std::string& word) {
+  const auto position = text.find(word);
+  if (position == std::string::npos) throw SynthesisError("no \"" + word + "\" in:\n" + text);
+  return std::stod(text.substr(position + word.size()));
+}
+
+int count_flip_flops(const std::map<std::string, int>& cells) {
+  static const std::regex flip_flop("DFF.*|SB_DFF.*|TRELLIS_FF|FD[RSCP]E?");
+  int count = 0;
+  for (const auto& [type, number] : cells) {
+    if (std::regex_match(type, flip_flop)) count += number;
+  }
+  return count;
+}
+
+std::map<std::string, double> liberty_areas(const std::filesystem::path& liberty) {
+  static const std::regex cell(R"re(^\s*cell\s*\(\s*"?(\w+)"?\s*\))re"), area(R"re(\barea\s*:\s*([0-9.]+))re");
+  std::ifstream in(liberty);
+  if (!in) throw SynthesisError(liberty.string() + ": cell library not found");
+  std::map<std::string, double> areas;
+  std::string name;
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, cell)) name = match[1];
+    if (name.empty() || !std::regex_search(line, match, area)) continue;
+    areas[name] = std::stod(match[1]);
+    name.clear();
+  }
+  return areas;
+}
+
+nlohmann::json to_json(const SynthesisResult& result) {
+  nlohmann::json multipliers = nlohmann::json::array();
+  for (const Multiplier& m : result.multipliers) {
+    multipliers.push_back({{"a_bits", m.a_bits}, {"b_bits", m.b_bits}, {"signed", m.is_signed}});
+  }
+  return {{"um2", result.um2},
+          {"nand2", result.nand2},
+          {"critical_path_ns", result.critical_path_ns},
+          {"flip_flops", result.flip_flops},
+          {"multipliers", multipliers},
+          {"cells", result.cells},
+          {"provenance", result.provenance}};
+}
+
+SynthesisResult synthesis_result(const nlohmann::json& json) {
+  SynthesisResult result;
+  result.um2 = json.at("um2");
+  result.nand2 = json.at("nand2");
+  result.critical_path_ns = json.at("critical_path_ns");
+  result.flip_flops = json.at("flip_flops");
+  for (const auto& m : json.at("multipliers"))
+    result.multipliers.push_back({m.at("a_bits"), m.at("b_bits"), m.at("signed")});
+  result.cells = json.at("cells").get<std::map<std::string, int>>();
+  result.provenance = json.at("provenance");
+  return result;
+}
+
+}  // namespace wrinkle

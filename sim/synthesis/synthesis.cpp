@@ -1,0 +1,254 @@
+#include "sim/synthesis/synthesis.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+
+#include "sim/synthesis/pins.h"
+#include "sim/synthesis/result.h"
+#include "tb/process.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+
+// FNV-1a; two of them from different starts make a key of 128 bits.
+class Fingerprint {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) step(static_cast<unsigned char>(c));
+    step(text.size());
+  }
+  std::string hex() const { return fmt::format("{:016x}{:016x}", a_, b_); }
+
+ private:
+  void step(std::uint64_t value) {
+    a_ = (a_ ^ value) * 0x100000001b3;
+    b_ = (b_ ^ value) * 0x10000000233;
+  }
+  std::uint64_t a_ = 0xcbf29ce484222325, b_ = 0x84222325cbf29ce4;
+};
+
+// One run: what to make, from what, where.
+struct Job {
+  std::string top;
+  VerilogParameters parameters;
+  CellLibrary library;
+  SynthesisOptions options;
+  std::vector<fs::path> sources;
+  fs::path folder;
+
+  bool is_standard_cells() const { return library == CellLibrary::kOsu035 || library == CellLibrary::kOsu018; }
+  bool is_placed() const { return library == CellLibrary::kIce40 && options.place_and_route; }
+  std::string main_script() const { return is_standard_cells() ? "cells.ys" : cell_library_name(library) + ".ys"; }
+};
+
+fs::path scripts() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "scripts"; }
+
+std::vector<fs::path> verilog_files(const std::vector<fs::path>& folders, const std::string& extension) {
+  std::vector<fs::path> files;
+  for (const fs::path& folder : folders) {
+    if (!fs::is_directory(folder)) continue;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == extension) files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
+  std::set<fs::path> folders;
+  for (const fs::path& source : sources) folders.insert(source.parent_path());
+  return {folders.begin(), folders.end()};
+}
+
+std::string replace_all(std::string text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// What the @...@ of a script stand for.
+std::string filled_in(const Job& job, const std::string& script) {
+  std::string sources, includes, parameters;
+  for (const fs::path& source : job.sources) sources += " " + source.string();
+  for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
+  for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value);
+  const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
+  const std::string map_signs = job.options.full_adders ? techmap("signed_multiply.v") + "opt\n" : "";
+  const std::string map_adders = job.options.full_adders
+                                     ? techmap("ripple.v") + "techmap\nopt -full\nextract_fa -fa\nopt_clean\n" +
+                                           techmap("full_adder.v") + "techmap"
+                                     : "techmap";
+
+  std::string text = read_text(scripts() / script);
+  if (text.empty()) throw SynthesisError((scripts() / script).string() + ": script not found");
+  text = replace_all(text, "@SOURCES@", sources);
+  text = replace_all(text, "@INCLUDES@", includes);
+  text = replace_all(text, "@TOP@", job.top);
+  text = replace_all(text, "@PARAMETERS@", parameters);
+  text = replace_all(text, "@FOLDER@", job.folder);
+  text = replace_all(text, "@SCRIPTS@", scripts());
+  text = replace_all(text, "@EFFORT@", job.options.effort);
+  text = replace_all(text, "@MAP_SIGNS@", map_signs);
+  text = replace_all(text, "@MAP_ADDERS@", map_adders);
+  if (job.is_standard_cells()) text = replace_all(text, "@LIBERTY@", liberty_path(job.library));
+  return text;
+}
+
+std::string tail(const std::string& text) { return text.size() <= 4000 ? text : text.substr(text.size() - 4000); }
+
+// Runs a tool; its output.
+std::string run(const Arguments& command, const fs::path& log) {
+  const int code = Process(command, log).wait();
+  const std::string output = read_text(log);
+  if (code != 0) throw SynthesisError(fmt::format("{} ended with code {}:\n{}", command[0], code, tail(output)));
+  return output;
+}
+
+// Runs a script of ours with its blanks filled in; the tool's output.
+std::string run_script(const Job& job, const Arguments& tool, const std::string& script) {
+  const fs::path path = job.folder / script;
+  std::ofstream(path) << filled_in(job, script);
+  Arguments command = tool;
+  command.push_back(path);
+  return run(command, job.folder / (script + ".log"));
+}
+
+SynthesisResult cell_counts(const Job& job) {
+  run_script(job, {"yosys", "-Q", "-s"}, job.main_script());
+  SynthesisResult result;
+  result.cells = read_cells(job.folder / "stat.json");
+  result.multipliers = read_multipliers(job.folder / "multipliers.il");
+  result.flip_flops = count_flip_flops(result.cells);
+  return result;
+}
+
+void add_area(SynthesisResult& result, const fs::path& liberty) {
+  const auto areas = liberty_areas(liberty);
+  for (const auto& [type, number] : result.cells) {
+    const auto area = areas.find(type);
+    if (area == areas.end()) throw SynthesisError(fmt::format("cell {} is not in {}", type, liberty.string()));
+    result.um2 += area->second * number;
+  }
+  result.nand2 = result.um2 / areas.at("NAND2X1");
+}
+
+// Critical path in ns of the design between shift registers, as nextpnr's report gives it.
+double placed_path(const Job& job) {
+  std::ofstream(job.folder / "pins.v") << pin_wrapper(job.top, job.folder / "netlist.json");
+  run_script(job, {"yosys", "-Q", "-s"}, "ice40_pins.ys");
+  const fs::path report = job.folder / "report.json";
+  run({"nextpnr-ice40", "--up5k", "--package", "sg48", "--pcf-allow-unconstrained", "--seed", "1", "--json",
+       job.folder / "pins.json", "--report", report},
+      job.folder / "nextpnr.log");
+  const auto clocks = nlohmann::json::parse(read_text(report)).at("fmax");
+  if (clocks.size() != 1) throw SynthesisError(fmt::format("{} clocks in {}, not one", clocks.size(), report.string()));
+  return 1000.0 / clocks.front().at("achieved").get<double>();
+}
+
+std::string provenance(const Job& job) {
+  static const std::string yosys = first_line({"yosys", "-V"});
+  std::string text = fmt::format("{}, {}, ", yosys, cell_library_name(job.library));
+  if (job.is_standard_cells()) {
+    static const std::string sta = first_line({"sta", "-version"});
+    text += fmt::format("{} adders, effort {}, OpenSTA {}", job.options.full_adders ? "mapped full" : "plain",
+                        job.options.effort, sta);
+  } else if (job.is_placed()) {
+    text += "placed and routed on UP5K, " + first_line({"nextpnr-ice40", "--version"});
+  }
+  return text;
+}
+
+SynthesisResult make(const Job& job) {
+  SynthesisResult result = cell_counts(job);
+  result.provenance = provenance(job);
+  if (job.is_standard_cells()) {
+    add_area(result, liberty_path(job.library));
+    result.critical_path_ns =
+        number_after(run_script(job, {"sta", "-no_splash", "-exit"}, "timing.tcl"), "critical_path_ns");
+  }
+  if (job.is_placed()) result.critical_path_ns = placed_path(job);
+  return result;
+}
+
+std::string job_key(const Job& job) {
+  Fingerprint key;
+  key.add(job.top);
+  for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value));
+  for (const fs::path& source : job.sources) key.add(read_text(source));
+  for (const fs::path& header : verilog_files(include_folders(job.sources), ".vh")) key.add(read_text(header));
+  for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
+    for (const fs::path& script : verilog_files({scripts()}, extension)) key.add(read_text(script));
+  }
+  if (job.is_standard_cells()) key.add(read_text(liberty_path(job.library)));
+  key.add(fmt::format("{} {}", job.is_placed(), job.options.full_adders));
+  key.add(job.options.effort);
+  key.add(provenance(job));
+  return key.hex();
+}
+
+fs::path cache_folder(const SynthesisOptions& options) {
+  if (!options.cache.empty()) return fs::absolute(options.cache);
+  const char* chosen = std::getenv("WRINKLE_CACHE");
+  return chosen != nullptr && *chosen != '\0' ? fs::absolute(chosen) / "synthesis" : fs::path(WRINKLE_SYNTHESIS_DIR);
+}
+
+// Removes a folder with all that is in it when it goes.
+struct TemporaryFolder {
+  fs::path path;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+}  // namespace
+
+std::string cell_library_name(CellLibrary library) {
+  static constexpr const char* kNames[] = {"osu035", "osu018", "ice40", "ecp5", "xilinx"};
+  return kNames[static_cast<std::size_t>(library)];
+}
+
+fs::path liberty_path(CellLibrary library) {
+  const std::string name = cell_library_name(library);
+  return fs::path("/usr/share/qflow/tech") / name / (name + "_stdcells.lib");
+}
+
+SynthesisResult synthesise(const std::string& top, const VerilogParameters& parameters, CellLibrary library,
+                           const SynthesisOptions& options, const SynthesisProgress& progress) {
+  Job job{top, parameters, library, options, options.sources, {}};
+  const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
+  if (job.sources.empty()) job.sources = verilog_files({rtl, rtl / "lib"}, ".v");
+  for (fs::path& source : job.sources) source = fs::absolute(source);
+
+  const fs::path cache = cache_folder(options);
+  fs::create_directories(cache);
+  const std::string key = job_key(job);
+  const fs::path kept = cache / (key + ".json");
+  if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));
+
+  const FileLock lock(cache / (key + ".lock"));
+  if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));
+  if (progress) progress(fmt::format("synthesising {} for {}", top, cell_library_name(library)));
+  const TemporaryFolder folder{cache / (key + ".work")};
+  fs::remove_all(folder.path);
+  fs::create_directories(folder.path);
+  job.folder = folder.path;
+  const SynthesisResult result = make(job);
+  const fs::path partial = cache / (key + ".partial");
+  std::ofstream(partial) << to_json(result).dump(1) << '\n';
+  fs::rename(partial, kept);
+  return result;
+}
+
+}  // namespace wrinkle

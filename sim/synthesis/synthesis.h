@@ -1,0 +1,80 @@
+// Area, cells and speed of a Verilog module, by Yosys, OpenSTA and nextpnr run as child processes. Results are kept on
+// disk under a key of everything they depend on.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace wrinkle {
+
+// The scripts in sim/synthesis/scripts: one for standard cells, one for each FPGA.
+enum class CellLibrary { kOsu035, kOsu018, kIce40, kEcp5, kXilinx };
+
+// Verilog names and values.
+using VerilogParameters = std::map<std::string, std::int64_t>;
+
+// Every member is part of the cache key.
+struct SynthesisOptions {
+  // Sums become ripples and trees of the library's full adder; off: Yosys's own adders in simple gates. Standard cells.
+  bool full_adders = true;
+  // Name of a script scripts/EFFORT.abc: `area`, or `speed`, with buffers and sized gates. Standard cells.
+  std::string effort = "area";
+  // iCE40: place and route, on an UP5K, between shift registers that stand in for pins.
+  bool place_and_route = false;
+  // Verilog files; empty: rtl/*.v and rtl/lib/*.v of this project.
+  std::vector<std::filesystem::path> sources;
+  // Where results are kept; empty: $WRINKLE_CACHE/synthesis, else `synthesis` in the build directory.
+  std::filesystem::path cache;
+};
+
+// A product of the source, before it became adders or a DSP.
+struct Multiplier {
+  int a_bits = 0;
+  int b_bits = 0;
+  bool is_signed = false;
+  bool operator==(const Multiplier&) const = default;
+};
+
+struct SynthesisResult {
+  // Standard cells; 0 for an FPGA. nand2 is in areas of the library's NAND2X1.
+  double um2 = 0;
+  double nand2 = 0;
+  // Longest path between flip-flops and pins: typical corner, no wires. For an FPGA, of the placed and routed design,
+  // shift registers included; 0 when it was not asked for.
+  double critical_path_ns = 0;
+  int flip_flops = 0;
+  std::vector<Multiplier> multipliers;
+  // Every cell of the netlist by type, flattened.
+  std::map<std::string, int> cells;
+  // Tools and scripts that made this, for the report's provenance.
+  std::string provenance;
+};
+
+// A tool failed; what() has the end of its output.
+struct SynthesisError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Called with what is being done when a result is not in the cache.
+using SynthesisProgress = std::function<void(const std::string& message)>;
+
+// Synthesises module `top` alone. Parameters not given keep the values of the source. Safe to call from several threads
+// and processes.
+SynthesisResult synthesise(const std::string& top, const VerilogParameters& parameters, CellLibrary library,
+                           const SynthesisOptions& options = {}, const SynthesisProgress& progress = {});
+
+// `osu035`, `osu018`, `ice40`, `ecp5`, `xilinx`.
+std::string cell_library_name(CellLibrary library);
+
+// Area in um^2 of every cell of a Liberty file.
+std::map<std::string, double> liberty_areas(const std::filesystem::path& liberty);
+
+// The Liberty file of a standard cell library.
+std::filesystem::path liberty_path(CellLibrary library);
+
+}  // namespace wrinkle

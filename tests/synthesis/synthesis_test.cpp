@@ -1,0 +1,141 @@
+#include "sim/synthesis/synthesis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+#include "sim/synthesis/result.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::Pair;
+using ::testing::UnorderedElementsAre;
+
+class Synthesis : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::path(::testing::TempDir()) / fmt_name(::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    options_.cache = folder_ / "cache";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string fmt_name(const std::string& test) { return "wrinkle_synthesis_" + test; }
+
+  // A source file, the only one of the designs to come.
+  void source(const std::string& text) {
+    options_.sources = {folder_ / "source.v"};
+    std::ofstream(options_.sources[0]) << text;
+  }
+
+  fs::path folder_;
+  SynthesisOptions options_;
+};
+
+constexpr const char* kRegisteredNand = R"(
+module registered_nand #(parameter W = 1) (input clk, input [W-1:0] a_i, input [W-1:0] b_i, output reg [W-1:0] q_o);
+  always @(posedge clk) q_o <= ~(a_i & b_i);
+endmodule
+)";
+
+constexpr const char* kMultiplyAdd = R"(
+module multiply_add (input signed [7:0] a_i, input signed [5:0] b_i, input [13:0] c_i, output [13:0] y_o);
+  assign y_o = a_i * b_i + $signed(c_i);
+endmodule
+)";
+
+TEST_F(Synthesis, AreaIsTheSumOfTheCellsByHand) {
+  source(kRegisteredNand);
+  const SynthesisResult one = synthesise("registered_nand", {}, CellLibrary::kOsu035, options_);
+  EXPECT_THAT(one.cells, UnorderedElementsAre(Pair("DFFPOSX1", 1), Pair("NAND2X1", 1)));
+  EXPECT_DOUBLE_EQ(one.um2, 384 + 96);
+  EXPECT_DOUBLE_EQ(one.nand2, 5);
+  EXPECT_EQ(one.flip_flops, 1);
+
+  const SynthesisResult seven = synthesise("registered_nand", {{"W", 7}}, CellLibrary::kOsu035, options_);
+  EXPECT_DOUBLE_EQ(seven.um2, 7 * (384 + 96));
+  EXPECT_EQ(seven.flip_flops, 7);
+  EXPECT_DOUBLE_EQ(synthesise("registered_nand", {}, CellLibrary::kOsu018, options_).um2, 96 + 24);
+}
+
+TEST_F(Synthesis, FullAddersMakeSumsSmaller) {
+  source(kMultiplyAdd);
+  SynthesisOptions plain = options_;
+  plain.full_adders = false;
+  const SynthesisResult mapped = synthesise("multiply_add", {}, CellLibrary::kOsu035, options_);
+  const SynthesisResult simple = synthesise("multiply_add", {}, CellLibrary::kOsu035, plain);
+  EXPECT_GT(mapped.cells.at("FAX1"), 30);
+  EXPECT_EQ(simple.cells.count("FAX1"), 0u);
+  EXPECT_LT(mapped.nand2, 0.9 * simple.nand2);
+  EXPECT_GT(mapped.critical_path_ns, 2);
+  EXPECT_LT(mapped.critical_path_ns, 20);
+}
+
+TEST_F(Synthesis, MultipliersAreListedWithTheirBits) {
+  source(kMultiplyAdd);
+  EXPECT_THAT(synthesise("multiply_add", {}, CellLibrary::kOsu035, options_).multipliers,
+              ElementsAre(Multiplier{8, 6, true}));
+}
+
+TEST_F(Synthesis, FpgaCells) {
+  source(kMultiplyAdd);
+  EXPECT_EQ(synthesise("multiply_add", {}, CellLibrary::kIce40, options_).cells.at("SB_MAC16"), 1);
+  EXPECT_EQ(synthesise("multiply_add", {}, CellLibrary::kEcp5, options_).cells.at("MULT18X18D"), 1);
+  EXPECT_EQ(synthesise("multiply_add", {}, CellLibrary::kXilinx, options_).cells.at("DSP48E1"), 1);
+}
+
+TEST_F(Synthesis, PlaceAndRoute) {
+  source(kRegisteredNand);
+  options_.place_and_route = true;
+  const SynthesisResult result = synthesise("registered_nand", {{"W", 4}}, CellLibrary::kIce40, options_);
+  EXPECT_EQ(result.flip_flops, 4);
+  EXPECT_GT(result.critical_path_ns, 1);
+  EXPECT_LT(result.critical_path_ns, 30);
+}
+
+TEST_F(Synthesis, ResultsAreKeptUntilTheSourceChanges) {
+  source(kRegisteredNand);
+  int runs = 0;
+  const auto count = [&](const std::string&) { ++runs; };
+  const SynthesisResult first = synthesise("registered_nand", {}, CellLibrary::kOsu035, options_, count);
+  const SynthesisResult again = synthesise("registered_nand", {}, CellLibrary::kOsu035, options_, count);
+  EXPECT_EQ(runs, 1);
+  EXPECT_EQ(first.cells, again.cells);
+  EXPECT_EQ(first.um2, again.um2);
+  EXPECT_EQ(first.critical_path_ns, again.critical_path_ns);
+  EXPECT_EQ(first.multipliers, again.multipliers);
+
+  source(std::string(kRegisteredNand) + "// another\n");
+  synthesise("registered_nand", {}, CellLibrary::kOsu035, options_, count);
+  EXPECT_EQ(runs, 2);
+}
+
+TEST_F(Synthesis, AFailureNamesTheToolAndItsComplaint) {
+  source("module broken (output y_o); no_such_module inner (.y(y_o)); endmodule\n");
+  try {
+    synthesise("broken", {}, CellLibrary::kOsu035, options_);
+    FAIL() << "no error";
+  } catch (const SynthesisError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("yosys"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("no_such_module"));
+  }
+}
+
+TEST(Liberty, CellAreas) {
+  const auto areas = liberty_areas(liberty_path(CellLibrary::kOsu035));
+  EXPECT_EQ(areas.at("NAND2X1"), 96);
+  EXPECT_EQ(areas.at("FAX1"), 480);
+  EXPECT_EQ(areas.at("OAI21X1"), 92);
+  EXPECT_EQ(areas.size(), 39u);
+}
+
+}  // namespace
+}  // namespace wrinkle
