@@ -3,7 +3,7 @@
 // Signed. Combinational. Does not saturate: the bits above the result are dropped (wrinkle_saturate keeps them in check).
 module wrinkle_round_half_up #(
   parameter VALUE_BITS  = 20,
-  parameter SHIFT       = 8,
+  parameter integer SHIFT = 8,
   parameter RESULT_BITS = 13
 ) (
   input  wire signed [VALUE_BITS-1:0]  value_i,

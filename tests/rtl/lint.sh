@@ -1,0 +1,117 @@
+#!/bin/sh
+# Lint gates of the Verilog: Verilator -Wall, Icarus -g2005 -Wall and Yosys, without waivers, for the core in very
+# different configurations, for every module of rtl/ alone, and for illegal configurations, which must not elaborate.
+# One line a check; exit 1 with the tool's message at the first that fails.
+#   lint.sh [FILTER]     only the checks whose line contains FILTER
+set -u
+root=$(cd "$(dirname "$0")/../.." && pwd)
+filter=${1:-}
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+stages="packet scan interpolate perspective texture perturb normalize light output"
+
+# check NAME COMMAND...: passes when the command succeeds and prints nothing.
+check() {
+  name=$1
+  shift
+  case "$name" in *"$filter"*) ;; *) return ;; esac
+  if ! "$@" >"$log" 2>&1 || [ -s "$log" ]; then
+    echo "FAILED $name"
+    cat "$log"
+    exit 1
+  fi
+  echo "passed $name"
+}
+
+# refused NAME FAULT COMMAND...: passes when the command fails and names the fault.
+refused() {
+  name=$1
+  fault=$2
+  shift 2
+  case "$name" in *"$filter"*) ;; *) return ;; esac
+  if "$@" >"$log" 2>&1 || ! grep -q "$fault" "$log"; then
+    echo "FAILED $name: $fault was not reported"
+    cat "$log"
+    exit 1
+  fi
+  echo "passed $name"
+}
+
+verilator_lint() { # TOP [NAME=VALUE...]
+  top=$1
+  shift
+  flags=""
+  for setting in "$@"; do flags="$flags -G$setting"; done
+  # shellcheck disable=SC2086
+  verilator --lint-only -Wall --default-language 1364-2005 --top-module "$top" $flags \
+    -y "$root/rtl" -y "$root/rtl/lib" "$root/rtl/$top.v"
+}
+
+icarus_lint() {
+  top=$1
+  shift
+  flags=""
+  for setting in "$@"; do flags="$flags -P$top.$setting"; done
+  # shellcheck disable=SC2086
+  iverilog -g2005 -Wall -s "$top" $flags -y "$root/rtl" -y "$root/rtl/lib" -o /dev/null "$root/rtl/$top.v"
+}
+
+yosys_run() { # SCRIPT TOP [NAME=VALUE...]
+  script=$1
+  top=$2
+  shift 2
+  flags=""
+  for setting in "$@"; do flags="$flags -set ${setting%%=*} ${setting#*=}"; done
+  yosys -q -e . -p "read_verilog -defer $root/rtl/*.v $root/rtl/lib/*.v; ${flags:+chparam $flags $top;} hierarchy -check -top $top; $script"
+}
+
+yosys_check() { yosys_run "proc; check -assert" "$@"; }
+yosys_synthesize() { yosys_run "synth -run coarse: -noabc; check -assert" "$@"; }
+
+all_three() { # NAME [NAME=VALUE...]
+  configuration=$1
+  shift
+  check "verilator core: $configuration" verilator_lint wrinkle_core "$@"
+  check "icarus    core: $configuration" icarus_lint wrinkle_core "$@"
+  check "yosys     core: $configuration" yosys_check wrinkle_core "$@"
+}
+
+all_three "default"
+all_three "phong, nothing that can be left out" \
+  DATAPATH=0 LIGHTING=0 NORMALIZER_N=0 NORMALIZER_L=0 SELF_SHADOW=0 DEPTH=0 CHANNELS=0 UNIT_BITS=6 DOT_BITS=12 \
+  POWER_BITS=12
+all_three "phong, smallest" \
+  DATAPATH=0 LIGHTING=0 FILTER=0 CHANNELS=0 DEPTH=0 SELF_SHADOW=2 SCREEN_BITS=4 SUBPIXEL_BITS=2 GUARD_BITS=2 \
+  VECTOR_BITS=5 UNIT_BITS=6 DOT_BITS=6 POWER_BITS=6 COLOUR_BITS=4 SPECULAR_SQUARINGS=0 TEXTURE_FIFO_BITS=1
+all_three "everything, largest" \
+  PERSPECTIVE=1 DECAL=1 SELF_SHADOW=2 SCREEN_BITS=12 GUARD_BITS=14 VECTOR_BITS=18 UV_INTEGER_BITS=10 UV_BITS=24 \
+  Q_BITS=21 RECIPROCAL_BITS=20 LOD_BITS=8 TEXEL_BITS=10 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18 SPECULAR_SQUARINGS=8 \
+  COLOUR_BITS=12 DEPTH_BITS=24 TEXTURE_FIFO_BITS=8
+all_three "everything, smallest" \
+  PERSPECTIVE=1 DECAL=1 DECODE=1 SCREEN_BITS=4 SUBPIXEL_BITS=2 GUARD_BITS=2 VECTOR_BITS=5 UV_INTEGER_BITS=1 UV_BITS=8 \
+  Q_BITS=8 RECIPROCAL_BITS=8 LOD_BITS=0 WEIGHT_BITS=1 TEXEL_BITS=4 UNIT_BITS=6 DOT_BITS=6 POWER_BITS=6 \
+  SPECULAR_SQUARINGS=0 COLOUR_BITS=4 DEPTH_BITS=8 TEXTURE_FIFO_BITS=1
+all_three "nearest, decal on an interpolated normal, one channel" \
+  DATAPATH=0 DECAL=1 FILTER=0 CHANNELS=0 PERSPECTIVE=1 Q_BITS=8 RECIPROCAL_BITS=20 NORMALIZER_N=0 NORMALIZER_H=0 \
+  VECTOR_BITS=18 UNIT_BITS=10
+all_three "bilinear, diffuse, one normalizer" \
+  LIGHTING=0 FILTER=1 NORMALIZER_L=0 SELF_SHADOW=2 VECTOR_BITS=5 UNIT_BITS=16 DOT_BITS=6 DECODE=1 UV_BITS=8 \
+  WEIGHT_BITS=8
+all_three "trilinear with whole levels" LOD_BITS=0 UNIT_BITS=12 POWER_BITS=18 SPECULAR_SQUARINGS=0 DEPTH=0
+
+for stage in $stages; do
+  check "verilator wrinkle_$stage alone" verilator_lint "wrinkle_$stage"
+  check "icarus    wrinkle_$stage alone" icarus_lint "wrinkle_$stage"
+  check "yosys     wrinkle_$stage alone, synthesized" yosys_synthesize "wrinkle_$stage"
+done
+
+refused "verilator refuses TEXEL_BITS=11" wrinkle_error_texel_bits verilator_lint wrinkle_core TEXEL_BITS=11
+refused "icarus refuses TEXEL_BITS=11" wrinkle_error_texel_bits icarus_lint wrinkle_core TEXEL_BITS=11
+refused "yosys refuses TEXEL_BITS=11" wrinkle_error_texel_bits yosys_check wrinkle_core TEXEL_BITS=11
+refused "verilator refuses FILTER=3" wrinkle_error_filter verilator_lint wrinkle_core FILTER=3
+refused "icarus refuses DOT_BITS > 2 UNIT_BITS" wrinkle_error_dot_bits_exceeds icarus_lint wrinkle_core UNIT_BITS=6 \
+  DOT_BITS=13 POWER_BITS=13
+refused "yosys refuses POWER_BITS < DOT_BITS" wrinkle_error_power_bits_is_less yosys_check wrinkle_core POWER_BITS=9
+refused "verilator refuses RECIPROCAL_BITS < Q_BITS - 1" wrinkle_error_reciprocal_bits_is_less \
+  verilator_lint wrinkle_core PERSPECTIVE=1 Q_BITS=18 RECIPROCAL_BITS=16
