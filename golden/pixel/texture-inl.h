@@ -7,24 +7,13 @@
 #endif
 
 #include "golden/pixel/context.h"
+#include "golden/pixel/fetch.h"
 #include "golden/pixel/lanes-inl.h"
 #include "golden/pixel/pixel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
-
-// Per fragment and mip level: where the upper left texel lies, and the weights.
-template <class Int>
-struct TexelAddresses {
-  using Column = std::array<Int, kBatch>;
-  alignas(64) Column position, stride, weight_u, weight_v;
-};
-
-// Rows y and y + 1 of a sample, each of texels x (low half) and x + 1.
-struct TexelRows {
-  alignas(64) std::array<std::uint64_t, kBatch> upper, lower;
-};
 
 // i wrapped, as a stored position of BoundTexture: wrap(i + 1) is stored beside it.
 template <class L>
@@ -88,15 +77,6 @@ HWY_INLINE Levels<L> mip_levels(const L& l, const Constants<typename L::Int>& c,
   return {a, l.max(l.min(l.add(level, l.set(1)), top), zero), l.select(l.less(lod, zero), zero, inside)};
 }
 
-template <class Int>
-inline void fetch(const std::uint32_t* texels, const TexelAddresses<Int>& addresses, int count, TexelRows& out) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const std::uint32_t* texel = texels + addresses.position[i];
-    std::memcpy(&out.upper[i], texel, 8);
-    std::memcpy(&out.lower[i], texel + addresses.stride[i], 8);
-  }
-}
-
 template <class L>
 HWY_INLINE typename L::V interpolated(const L& l, typename L::V p, typename L::V q, typename L::V weight, int bits) {
   return l.add(l.shl(p, bits), l.mul(l.sub(q, p), weight));
@@ -132,7 +112,7 @@ HWY_INLINE typename L::V filter_quad(const L& l, const Config& c, const Quad<L>&
 template <class Int>
 struct Samples {
   TexelAddresses<Int> a, b;
-  alignas(64) std::array<Int, kBatch> weight;
+  alignas(64) typename Batch<Int>::Column weight;
   TexelRows rows_a, rows_b;
 };
 
