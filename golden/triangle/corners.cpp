@@ -31,13 +31,16 @@ double whole_repeats(Wrap wrap, double low, double high) {
 }
 
 void reduce(const Config& config, int wrap, const char* name, std::array<double, 3>& values) {
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
+    throw std::range_error(std::string("texture coordinate ") + name + " is not finite");
+  }
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double repeats = whole_repeats(static_cast<Wrap>(wrap), *low, *high);
   const double bound = std::ldexp(1.0, config.uv_integer_bits - 1);
   const auto margin = interpolation_margin(config, config.uv_width());
   const double lowest = -bound + std::ldexp(static_cast<double>(margin), -config.uv_bits);
   const double highest = bound - std::ldexp(static_cast<double>(margin + 1), -config.uv_bits);
-  if (!(*low - repeats >= lowest && *high - repeats <= highest)) {
+  if (*low - repeats < lowest || *high - repeats > highest) {
     throw std::range_error(
         std::string("texture coordinate ") + name + " spans " + std::to_string(*low) + " to " + std::to_string(*high) +
         " repeats over one triangle, which does not fit uv_integer_bits = " + std::to_string(config.uv_integer_bits));

@@ -5,7 +5,7 @@
 namespace wrinkle {
 namespace {
 
-using test::Random;
+using namespace test;
 
 std::int64_t residue(Random& random, int bits) {
   const std::int64_t half = std::int64_t{1} << (bits - 1);

@@ -58,7 +58,7 @@ inline void randomize_attributes(Random& random, ScreenTriangle& triangle) {
   for (ScreenVertex& vertex : triangle.v) {
     vertex.z = random.real(0, 1);
     vertex.q = random.real(0.1, 3);
-    vertex.uv = {random.real(-0.2, 0.6), random.real(0.1, 0.8)};
+    vertex.uv = {random.real(-0.3, 0.5), random.real(-0.4, 0.45)};
     vertex.N = random.unit_vector(), vertex.L = random.unit_vector(), vertex.H = random.unit_vector();
   }
 }
@@ -85,6 +85,19 @@ struct EdgeWalk {
     if (words.remainder >= 0) words.remainder -= words.denominator, ++words.w;
   }
 };
+
+// Calls row(y, first x, end x) for every row of a packet that has pixels.
+template <class F>
+void walk_rows(const TriangleWords& t, F&& row) {
+  EdgeWalk start{t.start}, end{t.end0};
+  for (int i = 0; i < t.rows; ++i) {
+    if (i == t.rows_end0) end.words = t.end1;
+    const int low = static_cast<int>(start.words.w), high = static_cast<int>(end.words.w);
+    if (low < high) row(t.y + i, t.mirror ? -high : low, t.mirror ? -low : high);
+    start.step();
+    end.step();
+  }
+}
 
 // Steps through a packet row by row as the row engine does, planes down the start edge and along the rows, and calls
 // visit(Visit).
