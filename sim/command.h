@@ -1,0 +1,63 @@
+// What the commands share. Each command is one file; main.cpp is the list of them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "golden/config.h"
+#include "golden/vertex/scene.h"
+#include "tb/bench.h"
+
+namespace wrinkle {
+
+// Done and equal, compared and different, bad input or nothing could be done.
+inline constexpr int kExitEqual = 0, kExitDifferent = 1, kExitBadInput = 2;
+
+// Set by the command that was chosen; returns the exit code.
+using Run = std::function<int()>;
+
+void add_demo(CLI::App& app, Run& run);
+void add_render(CLI::App& app, Run& run);
+void add_verify(CLI::App& app, Run& run);
+void add_stress(CLI::App& app, Run& run);
+void add_bench(CLI::App& app, Run& run);
+
+// --config NAME and --set KEY=VALUE.
+struct ConfigOptions {
+  std::string name;
+  std::vector<std::string> set;
+};
+void add_config_options(CLI::App& command, ConfigOptions& options);
+// The configuration asked for, or `otherwise` by name.
+Config chosen_config(const ConfigOptions& options, const std::string& otherwise);
+
+// --stalls, --seed, --latency, --rtl.
+struct RtlOptions {
+  std::string stalls = "random";
+  std::uint64_t seed = 1;
+  int latency = 8;
+  std::filesystem::path rtl;  // a folder that holds other Verilog sources under rtl/
+};
+void add_rtl_options(CLI::App& command, RtlOptions& options);
+BenchOptions bench_options(const RtlOptions& options);
+// Options of a bench that only says on the terminal when a model is built.
+BenchOptions quiet_bench_options();
+
+// --json FILE.
+void add_json_option(CLI::App& command, std::filesystem::path& path);
+// Nothing when `path` is empty.
+void write_json(const std::filesystem::path& path, const nlohmann::json& object);
+
+// A scene by path, or one of sim/scenes by its bare name. Says on standard error what the reader passed over.
+Scene scene_named(const std::string& name_or_path);
+
+// The reference material beside the project, where it is present; else an empty path.
+std::filesystem::path shared_assets();
+
+nlohmann::json to_json(const Difference& difference);
+
+}  // namespace wrinkle

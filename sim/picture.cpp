@@ -1,0 +1,119 @@
+#include "sim/picture.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "sim/input_error.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name beside `path` with the same ending, which OpenImageIO chooses the format by.
+fs::path temporary_beside(const fs::path& path) {
+  fs::path name = path;
+  name.replace_filename(fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string()));
+  return name;
+}
+
+// Runs `write` on a temporary name and moves the result to `path`; removes it when `write` throws.
+template <class Write>
+void write_whole(const fs::path& path, Write write) {
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  const fs::path temporary = temporary_beside(path);
+  try {
+    write(temporary);
+    fs::rename(temporary, path, error);
+    if (error) throw InputError(Place{path.string()}, "cannot be written: " + error.message());
+  } catch (...) {
+    fs::remove(temporary, error);
+    throw;
+  }
+}
+
+}  // namespace
+
+void write_picture(const fs::path& path, const Picture& image) {
+  write_whole(path, [&](const fs::path& temporary) {
+    auto output = OIIO::ImageOutput::create(temporary.string());
+    if (!output) {
+      OIIO::geterror();
+      throw InputError(Place{path.string()}, "an unknown ending", ".png or .exr");
+    }
+    const bool is_float = path.extension() == ".exr";
+    OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()),
+                         is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+    spec.channelnames = image.channels;
+    if (!output->open(temporary.string(), spec) || !output->write_image(OIIO::TypeDesc::FLOAT, image.data.data()) ||
+        !output->close())
+      throw InputError(Place{path.string()}, "cannot be written: " + output->geterror());
+  });
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  write_whole(path, [&](const fs::path& temporary) {
+    std::ofstream file(temporary, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) throw InputError(Place{path.string()}, "cannot be written");
+  });
+}
+
+PictureDifference compare(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& mask) {
+  PictureDifference result;
+  double sum = 0;
+  const std::size_t n = a.channels.size();
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    ++result.pixels;
+    double worst = 0;
+    for (std::size_t c = 0; c < n; ++c) {
+      const double error = std::abs(double(a.data[n * i + c]) - double(b.data[n * i + c]));
+      sum += error * error;
+      worst = std::max(worst, error);
+    }
+    result.different += worst > 0;
+    result.max_error = std::max(result.max_error, worst);
+  }
+  if (sum > 0) result.psnr_db = std::min(kPsnrOfEqual, -10 * std::log10(sum / (double(result.pixels) * double(n))));
+  return result;
+}
+
+Picture difference_picture(const Picture& a, const Picture& b, double gain) {
+  Picture image(a.width, a.height, a.channels);
+  for (std::size_t i = 0; i < image.data.size(); ++i)
+    image.data[i] = float(std::clamp(0.5 + gain * (double(a.data[i]) - double(b.data[i])), 0.0, 1.0));
+  return image;
+}
+
+Picture contact_sheet(const std::vector<Picture>& pictures, int columns) {
+  constexpr int kMargin = 8;
+  int width = 0, height = 0;
+  for (const Picture& picture : pictures) {
+    width = std::max(width, picture.width);
+    height = std::max(height, picture.height);
+  }
+  const int rows = (int(pictures.size()) + columns - 1) / columns;
+  Picture sheet(columns * (width + kMargin) + kMargin, rows * (height + kMargin) + kMargin, {"R", "G", "B"});
+  std::fill(sheet.data.begin(), sheet.data.end(), 1.0F);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const Picture& picture = pictures[i];
+    const int left = kMargin + (int(i) % columns) * (width + kMargin);
+    const int top = kMargin + (int(i) / columns) * (height + kMargin);
+    for (int y = 0; y < picture.height; ++y) {
+      const auto row = picture.data.begin() + std::ptrdiff_t(3) * y * picture.width;
+      std::copy(row, row + std::ptrdiff_t(3) * picture.width,
+                sheet.data.begin() + std::ptrdiff_t(3) * ((top + y) * sheet.width + left));
+    }
+  }
+  return sheet;
+}
+
+}  // namespace wrinkle

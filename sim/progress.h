@@ -1,0 +1,29 @@
+// A progress line for people: drawn on standard error when that is a terminal, silent otherwise.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace wrinkle {
+
+class Progress {
+ public:
+  // `total` in any unit; 0 when it is not known.
+  Progress(std::string label, std::uint64_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // Cheap enough to be called often: the line is redrawn at most ten times a second.
+  void at(std::uint64_t done, std::string_view note = "");
+
+ private:
+  std::string label_;
+  std::uint64_t total_;
+  std::chrono::steady_clock::time_point last_;
+  bool visible_;
+};
+
+}  // namespace wrinkle

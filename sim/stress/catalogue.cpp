@@ -1,0 +1,45 @@
+#include "sim/stress/catalogue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wrinkle {
+
+void Extreme::measure(double deviation, const std::string& description) {
+  ++cases;
+  // A NaN counts as the worst of all, and stays.
+  if (deviation <= worst || std::isnan(worst)) return;
+  worst = deviation;
+  where = description;
+}
+
+Config stress_config() { return Config{}; }
+
+Config stress_config_wide() {
+  Config config;
+  config.datapath = static_cast<int>(Datapath::kPhong);
+  config.screen_bits = 12;
+  config.guard_bits = 12;
+  config.channels = 0;
+  return config;
+}
+
+Config stress_config_perspective() {
+  Config config;
+  config.perspective = 1;
+  return config;
+}
+
+std::span<const ExtremeEntry> extremes() {
+  static const std::vector<ExtremeEntry> all = [] {
+    std::vector<ExtremeEntry> list;
+    for (auto part : {geometry_extremes, interpolation_extremes, vector_extremes, lighting_extremes, texture_extremes,
+                      host_extremes})
+      for (ExtremeEntry& entry : part()) list.push_back(std::move(entry));
+    std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace wrinkle

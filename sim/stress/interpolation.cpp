@@ -1,0 +1,201 @@
+// Entries 13 to 18: interpolated values against the exact plane through the corners.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "sim/stress/catalogue.h"
+
+namespace wrinkle {
+namespace {
+
+using Corners = std::array<std::array<std::int32_t, 2>, 3>;
+
+// N.x, N.y, N.z at the corners, in LSB of s1.V: whole numbers, so that quantising them loses nothing.
+using CornerValues = std::array<std::array<std::int64_t, 3>, 3>;
+
+ScreenTriangle triangle_with(const Config& config, const Corners& corners, const CornerValues& values) {
+  ScreenTriangle triangle = screen_triangle(corners);
+  const double lsb = std::ldexp(1.0, -config.vector_bits);
+  for (std::size_t i = 0; i < 3; ++i) {
+    triangle.v[i].N = {lsb * double(values[i][0]), lsb * double(values[i][1]), lsb * double(values[i][2])};
+    triangle.v[i].L = triangle.v[i].H = {0, 0, 1};
+    triangle.v[i].z = 0.5;
+  }
+  return triangle;
+}
+
+// The plane through the corners at a pixel centre, in LSB.
+double plane_at(const Config& config, const Corners& t, const CornerValues& values, std::size_t element,
+                const FragmentValues& fragment, const Stimulus& stimulus) {
+  const double one = std::ldexp(1.0, config.subpixel_bits);
+  const double x = (double(fragment[stimulus.index("scan", "x")][0]) + 0.5) * one;
+  const double y = (double(fragment[stimulus.index("scan", "y")][0]) + 0.5) * one;
+  const auto area = [](double ax, double ay, double bx, double by, double cx, double cy) {
+    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  };
+  const double whole = area(t[0][0], t[0][1], t[1][0], t[1][1], t[2][0], t[2][1]);
+  const double a = area(x, y, t[1][0], t[1][1], t[2][0], t[2][1]) / whole;
+  const double b = area(t[0][0], t[0][1], x, y, t[2][0], t[2][1]) / whole;
+  return a * double(values[0][element]) + b * double(values[1][element]) + (1 - a - b) * double(values[2][element]);
+}
+
+// Worst distance from the plane over all fragments, in LSB.
+void measure_plane(Extreme& extreme, const Config& config, const Corners& corners, const CornerValues& values,
+                   int width, int height) {
+  Stimulus stimulus(config);
+  stimulus.add_draw({});
+  stimulus.add(triangle_with(config, corners, values), width, height);
+  const std::size_t n = stimulus.index("interpolate", "n");
+  for (const FragmentValues& f : stimulus.golden())
+    for (std::size_t e = 0; e < 3; ++e)
+      extreme.measure(std::abs(double(f[n][e]) - plane_at(config, corners, values, e, f, stimulus)),
+                      fmt::format("({},{}) ({},{}) ({},{})", corners[0][0], corners[0][1], corners[1][0], corners[1][1],
+                                  corners[2][0], corners[2][1]));
+  extreme.stimuli.push_back(std::move(stimulus));
+}
+
+Extreme measured_in_lsb(double bound) {
+  Extreme extreme;
+  extreme.unit = "LSB";
+  extreme.bound = bound;
+  return extreme;
+}
+
+// Half an LSB of rounding, and half an LSB of the gradient for each pixel stepped.
+double drift_bound(const Config& config, int steps) { return 0.5 + steps * std::ldexp(1.0, -(config.guard_bits + 1)); }
+
+Extreme gradient_zero() {
+  Extreme extreme = measured_in_lsb(0);
+  for (std::int64_t v : {-2048, -1, 0, 1, 777, 2047})
+    measure_plane(extreme, stress_config(), {{{3, 7}, {9000, 900}, {500, 8000}}},
+                  {{{v, -v / 2, 5}, {v, -v / 2, 5}, {v, -v / 2, 5}}}, 40, 40);
+  return extreme;
+}
+
+Extreme gradient_maximum() {
+  Extreme extreme = measured_in_lsb(drift_bound(stress_config(), 80));
+  const CornerValues steep{{{-2048, 2047, 0}, {2047, -2048, 2047}, {-2048, -2048, 2047}}};
+  for (const Corners& t : {Corners{{{0, 0}, {300, 0}, {0, 10000}}}, Corners{{{0, 0}, {10000, 40}, {9000, 300}}},
+                           Corners{{{0, 128}, {257, 127}, {130, 640}}}, Corners{{{0, 0}, {10000, 0}, {0, 10000}}}})
+    measure_plane(extreme, stress_config(), t, steep, 40, 40);
+  return extreme;
+}
+
+// Beyond the end of its range a component wraps modulo 2^width: closed form.
+Extreme wrapping() {
+  Extreme extreme = measured_in_lsb(0);
+  Stimulus stimulus(stress_config());
+  stimulus.add_draw({});
+  const std::int64_t end = std::int64_t{1} << (stimulus.config().vector_bits + 1);
+  const int length = 64;
+  for (std::int64_t step : {std::int64_t{1}, std::int64_t{-1}, end / 3, -end / 3}) {
+    TriangleWords words = stimulus.row(0, 0, length);
+    stimulus.set(words, Component::kNx, step > 0 ? end - 1 : -end, step);
+    stimulus.add(words);
+  }
+  std::vector<std::uint32_t> owners;
+  const auto fragments = stimulus.golden(owners);
+  const std::int64_t steps[] = {1, -1, end / 3, -end / 3};
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const std::int64_t step = steps[owners[i]];
+    const std::int64_t unwrapped = (step > 0 ? end - 1 : -end) + step * std::int64_t(i % length);
+    const std::int64_t expected = ((unwrapped + end) & (2 * end - 1)) - end;
+    extreme.measure(double(std::abs(fragments[i][stimulus.index("interpolate", "n")][0] - expected)),
+                    fmt::format("step {}, pixel {}", step, i % length));
+  }
+  extreme.stimuli.push_back(std::move(stimulus));
+  return extreme;
+}
+
+Extreme drift() {
+  const Config config = stress_config_wide();
+  Extreme extreme = measured_in_lsb(drift_bound(config, 4096 + 2));
+  const int end = 4096 * 256;
+  measure_plane(extreme, config, {{{0, 0}, {end, 0}, {0, 512}}}, {{{-2048, 1, 0}, {2047, 2, 1}, {1, -1000, 2}}}, 4096,
+                2);
+  measure_plane(extreme, config, {{{end, 0}, {end, 512}, {0, 512}}}, {{{-1, 1, 3}, {2046, 2, 7}, {1, -1001, 2}}}, 4096,
+                2);
+  measure_plane(extreme, config, {{{0, 0}, {512, 0}, {0, end}}}, {{{-2048, 1, 0}, {2047, 2, 1}, {1, -1000, 2}}}, 2,
+                4096);
+  return extreme;
+}
+
+// Two triangles of one plane: how far the errors on both sides of the shared edge are apart.
+Extreme shared_edge() {
+  const Config config = stress_config();
+  Extreme extreme = measured_in_lsb(2 * drift_bound(config, 64));
+  const Corners one{{{-300, -200}, {8500, 400}, {100, 8100}}}, two{{{8500, 400}, {8900, 8700}, {100, 8100}}};
+  // N.x = (3 x - 5 y) / 64 and so on: whole at every corner.
+  const auto values = [](const Corners& t) {
+    CornerValues v;
+    for (std::size_t i = 0; i < 3; ++i)
+      v[i] = {(3 * t[i][0] - 5 * t[i][1]) / 20 - 100, (t[i][0] + t[i][1]) / 10, (7 * t[i][1]) / 50};
+    return v;
+  };
+  Stimulus stimulus(config);
+  stimulus.add_draw({});
+  stimulus.add(triangle_with(config, one, values(one)), 32, 32);
+  stimulus.add(triangle_with(config, two, values(two)), 32, 32);
+  std::vector<std::uint32_t> owners;
+  const auto fragments = stimulus.golden(owners);
+  std::map<std::pair<std::int64_t, std::int64_t>, std::pair<std::uint32_t, double>> error;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const Corners& corners = owners[i] == 0 ? one : two;
+    const FragmentValues& f = fragments[i];
+    error[{f[stimulus.index("scan", "y")][0], f[stimulus.index("scan", "x")][0]}] = {
+        owners[i],
+        double(f[stimulus.index("interpolate", "n")][0]) - plane_at(config, corners, values(corners), 0, f, stimulus)};
+  }
+  for (const auto& [pixel, mine] : error) {
+    const auto right = error.find({pixel.first, pixel.second + 1});
+    if (right != error.end() && right->second.first != mine.first)
+      extreme.measure(std::abs(mine.second - right->second.second),
+                      fmt::format("pixel {},{}", pixel.second, pixel.first));
+  }
+  extreme.stimuli.push_back(std::move(stimulus));
+  return extreme;
+}
+
+Extreme rotated() {
+  Extreme extreme = measured_in_lsb(0);
+  std::mt19937 random(18);
+  std::uniform_int_distribution<int> at(-2000, 10000), value(-2048, 2047);
+  std::vector<Stimulus> turns(3, Stimulus(stress_config()));
+  for (Stimulus& turn : turns) turn.add_draw({});
+  for (int i = 0; i < 30; ++i) {
+    const Corners corners{{{at(random), at(random)}, {at(random), at(random)}, {at(random), at(random)}}};
+    CornerValues values;
+    for (auto& v : values) v = {value(random), value(random), value(random)};
+    ScreenTriangle triangle = triangle_with(stress_config(), corners, values);
+    for (Stimulus& turn : turns) {
+      turn.add(triangle, 32, 32);
+      std::rotate(triangle.v.begin(), triangle.v.begin() + 1, triangle.v.end());
+    }
+  }
+  const auto first = turns[0].golden();
+  for (std::size_t k = 1; k < 3; ++k) {
+    const auto other = turns[k].golden();
+    extreme.measure(std::abs(double(first.size()) - double(other.size())), "number of fragments");
+    const std::size_t n = turns[k].index("interpolate", "n");
+    for (std::size_t i = 0; i < std::min(first.size(), other.size()); ++i)
+      for (std::size_t e = 0; e < 3; ++e)
+        extreme.measure(double(std::abs(first[i][n][e] - other[i][n][e])), fmt::format("fragment {}", i));
+  }
+  extreme.stimuli = std::move(turns);
+  return extreme;
+}
+
+}  // namespace
+
+std::vector<ExtremeEntry> interpolation_extremes() {
+  return {{13, "gradient 0: constant", "", gradient_zero},
+          {14, "steepest gradients", "", gradient_maximum},
+          {15, "past the end of the range: wraps as specified", "", wrapping},
+          {16, "drift over 4096 pixels", "", drift},
+          {17, "mismatch across a shared edge", "", shared_edge},
+          {18, "corners rotated", "", rotated}};
+}
+
+}  // namespace wrinkle

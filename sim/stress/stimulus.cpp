@@ -1,0 +1,119 @@
+#include "sim/stress/stimulus.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace wrinkle {
+
+ScreenTriangle screen_triangle(std::array<std::array<std::int32_t, 2>, 3> corners, const ScreenVertex& attributes) {
+  ScreenTriangle triangle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    triangle.v[i] = attributes;
+    triangle.v[i].x = corners[i][0];
+    triangle.v[i].y = corners[i][1];
+  }
+  return triangle;
+}
+
+Stimulus::Stimulus(const Config& config) : config_(config), values_(values(config)) {}
+
+int Stimulus::add_texture(Texture texture) {
+  textures_.push_back(std::move(texture));
+  return int(textures_.size()) - 1;
+}
+
+void Stimulus::add_draw(const DrawState& state) {
+  state_ = state;
+  stream_.draw_word.push_back(std::uint32_t(stream_.words.size()));
+  encode(config_, quantise(config_, state, textures_), stream_.words);
+}
+
+TriangleWords Stimulus::row(int x, int y, int length) const {
+  TriangleWords words;
+  words.y = y;
+  words.start.w = x;
+  words.end0.w = words.end1.w = x + length;
+  for (const ComponentFormat& format : component_formats(config_)) set(words, format.component, 0);
+  return words;
+}
+
+void Stimulus::set(TriangleWords& words, Component component, std::int64_t value, std::int64_t step) const {
+  for (const ComponentFormat& format : component_formats(config_)) {
+    if (format.component != component) continue;
+    const int bits = format.width + config_.guard_bits;
+    const std::int64_t half = std::int64_t{1} << (config_.guard_bits - 1);
+    const auto wrap = [&](std::int64_t v) {
+      const std::int64_t low = v & ((std::int64_t{1} << bits) - 1);
+      return format.is_signed && (low >> (bits - 1)) != 0 ? low - (std::int64_t{1} << bits) : low;
+    };
+    PlaneWords& plane = words.planes[std::size_t(component)];
+    plane.value = wrap((value << config_.guard_bits) + half);
+    plane.dw = wrap(step << config_.guard_bits);
+    plane.row = 0;
+  }
+}
+
+void Stimulus::append(const TriangleWords& words) {
+  stream_.packet_word.push_back(std::uint32_t(stream_.words.size()));
+  stream_.packet_draw.push_back(std::uint32_t(stream_.draw_word.size() - 1));
+  stream_.packet_triangle.push_back(adds_);
+  encode(config_, words, stream_.words);
+}
+
+void Stimulus::add(const TriangleWords& words) {
+  append(words);
+  ++adds_;
+}
+
+void Stimulus::add_vectors(std::array<std::int64_t, 3> n, std::array<std::int64_t, 3> l,
+                           std::array<std::int64_t, 3> h) {
+  const int side = config_.screen_size();
+  TriangleWords words = row(next_ % side, next_ / side % side);
+  ++next_;
+  for (int i = 0; i < 3; ++i) {
+    set(words, Component(int(Component::kNx) + i), n[std::size_t(i)]);
+    set(words, Component(int(Component::kLx) + i), l[std::size_t(i)]);
+    set(words, Component(int(Component::kHx) + i), h[std::size_t(i)]);
+  }
+  add(words);
+}
+
+int Stimulus::add(const ScreenTriangle& triangle, int width, int height) {
+  const std::vector<TriangleWords> packets = set_up(config_, triangle, state_, textures_, width, height);
+  for (const TriangleWords& packet : packets) append(packet);
+  ++adds_;
+  return int(packets.size());
+}
+
+std::vector<FragmentValues> Stimulus::golden(std::vector<std::uint32_t>& owners) const {
+  std::vector<FragmentValues> all;
+  owners.clear();
+  const auto keep = [&](const auto& batch) {
+    for (int i = 0; i < batch.count; ++i) {
+      extract(batch, i, all.emplace_back());
+      owners.push_back(stream_.packet_triangle[batch.packet[std::size_t(i)]]);
+    }
+  };
+  Golden(config_, textures_).draw(stream_.words, {keep, keep});
+  return all;
+}
+
+std::vector<FragmentValues> Stimulus::golden() const {
+  std::vector<std::uint32_t> owners;
+  return golden(owners);
+}
+
+std::size_t Stimulus::index(std::string_view stage, std::string_view name) const {
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    if (values_[i].stage == stage && values_[i].name == name && values_[i].present) return i;
+  throw std::logic_error("the configuration has no " + std::string(stage) + "_" + std::string(name));
+}
+
+double Stimulus::real(const FragmentValues& fragment, std::string_view stage, std::string_view name,
+                      std::size_t element) const {
+  const std::size_t i = index(stage, name);
+  return std::ldexp(double(fragment[i][element]), -values_[i].fraction_bits);
+}
+
+}  // namespace wrinkle

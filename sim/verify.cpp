@@ -1,0 +1,155 @@
+// verify: golden against RTL, every fragment; or both against a file of vectors with known answers.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "sim/command.h"
+#include "sim/input_error.h"
+#include "sim/progress.h"
+#include "sim/random_frame.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/vectors/vectors.h"
+
+namespace wrinkle {
+namespace {
+
+struct Options {
+  std::vector<std::string> scenes, configs, set;
+  std::vector<std::filesystem::path> vectors;
+  std::uint64_t random = 0;
+  RtlOptions rtl;
+  std::filesystem::path trace, json;
+};
+
+// Compares one frame and prints one line, with the first difference below it.
+bool verify_frame(const Config& config, const std::string& config_name, const Frame& frame, const BenchOptions& options,
+                  nlohmann::json& runs) {
+  const BenchResult result = run_bench(config, frame, options);
+  fmt::print("{:<28} {:<12} {:>9} fragments {:>10} clocks  {}\n", frame.name, config_name, result.fragments,
+             result.cycles, result.equal() ? "equal" : fmt::format("{} DIFFERENT", result.mismatches));
+  nlohmann::json run{{"scene", frame.name},     {"config", config_name},           {"fragments", result.fragments},
+                     {"cycles", result.cycles}, {"mismatches", result.mismatches}, {"equal", result.equal()}};
+  if (result.first) {
+    fmt::print("{}\n", describe(*result.first));
+    if (!result.first->trace.empty())
+      fmt::print("waveform: {}, at clock {}\n", result.first->trace.string(), result.first->trace_cycle);
+    run["first"] = to_json(*result.first);
+  }
+  runs.push_back(std::move(run));
+  return result.equal();
+}
+
+bool verify_scenes(const Options& options, nlohmann::json& runs) {
+  const BenchOptions bench = [&] {
+    BenchOptions b = bench_options(options.rtl);
+    b.trace = options.trace;
+    return b;
+  }();
+  bool equal = true;
+  for (const std::string& name : options.scenes) {
+    const Scene scene = scene_named(name);
+    const std::vector<std::string> configs = options.configs.empty() ? std::vector{scene.config} : options.configs;
+    for (const std::string& config_name : configs) {
+      const Config config = chosen_config({config_name, options.set}, scene.config);
+      equal &= verify_frame(config, config_name, build_frame(config, scene), bench, runs);
+    }
+  }
+  return equal;
+}
+
+// Frames of about 20,000 fragments, each with a seed of its own, until there are as many as asked for.
+bool verify_random(const Options& options, nlohmann::json& runs) {
+  constexpr std::uint64_t kFrame = 20000;
+  bool equal = true;
+  for (const std::string& name : options.configs.empty() ? std::vector<std::string>{"standard"} : options.configs) {
+    const Config config = chosen_config({name, options.set}, "standard");
+    Progress progress(fmt::format("random triangles, {}", name), options.random);
+    BenchOptions bench = bench_options(options.rtl);
+    bench.trace = options.trace;
+    std::uint64_t fragments = 0, cycles = 0, mismatches = 0, frames = 0;
+    for (; fragments < options.random && mismatches == 0; ++frames) {
+      bench.seed = options.rtl.seed + frames;
+      const Frame frame = random_frame(config, bench.seed, std::min(kFrame, options.random - fragments));
+      const BenchResult result = run_bench(config, frame, bench);
+      if (!result.equal()) return verify_frame(config, name, frame, bench, runs);
+      fragments += result.fragments;
+      cycles += result.cycles;
+      mismatches += result.mismatches;
+      progress.at(fragments);
+    }
+    fmt::print("{:<28} {:<12} {:>9} fragments {:>10} clocks  equal\n",
+               fmt::format("random seeds {} to {}", options.rtl.seed, bench.seed), name, fragments, cycles);
+    runs.push_back({{"scene", "random"},
+                    {"config", name},
+                    {"seed", options.rtl.seed},
+                    {"frames", frames},
+                    {"fragments", fragments},
+                    {"cycles", cycles},
+                    {"mismatches", mismatches},
+                    {"equal", true}});
+  }
+  return equal;
+}
+
+bool verify_vectors(const Options& options, nlohmann::json& runs) {
+  bool good = true;
+  const Config config =
+      chosen_config({options.configs.empty() ? "" : options.configs.front(), options.set}, "standard");
+  const BenchOptions bench = bench_options(options.rtl);
+  for (const std::filesystem::path& path : options.vectors) {
+    const VectorReport report = check_vectors(path, config, &bench);
+    fmt::print("{}: {} vectors, bound {:.4g} {}\n", path.filename().string(), name(report.kind), report.bound,
+               report.unit);
+    for (const VectorScore& score : report.scores) {
+      fmt::print("  {:<14} {:>6} cases, {} outside the bound, worst {:.4g}\n", score.engine, score.cases, score.outside,
+                 score.worst);
+      if (score.outside > 0) fmt::print("  first: {}\n", score.first);
+      runs.push_back({{"vectors", path.string()},
+                      {"kind", name(report.kind)},
+                      {"engine", score.engine},
+                      {"cases", score.cases},
+                      {"differences", score.outside},
+                      {"worst", score.worst},
+                      {"bound", report.bound},
+                      {"unit", report.unit},
+                      {"equal", score.outside == 0}});
+    }
+    good &= report.good();
+  }
+  return good;
+}
+
+int verify(const Options& options) {
+  if (options.scenes.empty() && options.vectors.empty() && options.random == 0)
+    throw InputError(Place{"verify"}, "nothing to verify", "scenes, --random N or --vectors FILE");
+  nlohmann::json runs = nlohmann::json::array();
+  bool equal = verify_scenes(options, runs);
+  if (options.random > 0) equal &= verify_random(options, runs);
+  equal &= verify_vectors(options, runs);
+  write_json(options.json, {{"equal", equal}, {"runs", runs}});
+  return equal ? kExitEqual : kExitDifferent;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("verify", "Compare golden and RTL, every fragment, bit for bit");
+  command->add_option("SCENE", options->scenes, fmt::format("Scene files, or {}", fmt::join(named_scenes(), ", ")));
+  command->add_option("-c,--config", options->configs, "Configurations, by commas; else what each scene names")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--set", options->set, "Change a parameter of the configurations: KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--random", options->random, "At least this many fragments of random triangles");
+  command->add_option("--vectors", options->vectors, "Files of vectors: coverage, trilinear, normalize, rsqrt")
+      ->allow_extra_args(false);
+  add_rtl_options(*command, options->rtl);
+  command->add_option("--trace", options->trace, "FST waveform to write around the first difference");
+  add_json_option(*command, options->json);
+  command->callback([options, &run] { run = [options] { return verify(*options); }; });
+}
+
+}  // namespace wrinkle
