@@ -1,8 +1,8 @@
 `default_nettype none
-// Wrinkle: the hardware of "Efficient Bump Mapping Hardware" [Peercy97 fig. 1 and 3], one pixel a clock. This is the list
-// of its stages; docs/architecture.md has a heading for each, docs/formats.md the ports and packets. A value that a stage
-// hands on is the wire STAGE_NAME, its handshake STAGE_valid and STAGE_ready: the bench reads them under these names.
-// The parameters are golden/parameters.def. Every output depends on registers alone.
+// Wrinkle: the hardware of "Efficient Bump Mapping Hardware" [Peercy97 fig. 1 and 3], one pixel a clock. This is the
+// list of its stages; docs/architecture.md has a heading for each, docs/formats.md the ports and packets. A value that
+// a stage hands on is the wire STAGE_NAME, its handshake STAGE_valid and STAGE_ready: the bench reads them under these
+// names. The parameters are golden/parameters.def. Every output depends on registers alone.
 module wrinkle_core #(
   parameter DATAPATH           = 1,  // phong|tangent
   parameter LIGHTING           = 1,  // diffuse|halfangle

@@ -1,8 +1,8 @@
 `default_nettype none
-// Takes the word stream apart [docs/formats.md]. Words of a triangle go to the shadow registers of scan and interpolate,
-// and `triangle_valid_o` says that they hold a whole packet; the next packet waits until it is taken. A draw packet waits
-// until no fragment is in flight, so that its state is constant to every stage. A word that is no opcode is skipped.
-// Latency 1 into the shadow registers. Does not look at any field of a triangle.
+// Takes the word stream apart [docs/formats.md]. Words of a triangle go to the shadow registers of scan and
+// interpolate, and `triangle_valid_o` says that they hold a whole packet; the next packet waits until it is taken. A
+// draw packet waits until no fragment is in flight, so that its state is constant to every stage. A word that is no
+// opcode is skipped. Latency 1 into the shadow registers. Does not look at any field of a triangle.
 module wrinkle_packet #(
   parameter DATAPATH        = 1,
   parameter LIGHTING        = 1,
@@ -84,7 +84,7 @@ module wrinkle_packet #(
   wire opcode      = ~in_draw_q & ~in_triangle_q;
   wire is_draw     = opcode & word[3:0] == 4'd1;
   wire is_triangle = opcode & word[3:0] == 4'd2;
-  assign word_ready = is_draw ? ~(busy_i | loaded_q) : is_triangle ? ~loaded_q : 1'b1;
+  assign word_ready = is_draw ? ~(busy_i | loaded_q) : is_triangle ? ~loaded_q | triangle_take_i : 1'b1;
   wire take         = word_valid & word_ready;
   wire triangle     = take & (is_triangle | in_triangle_q);
   wire scan_done    = in_triangle_q & index_q > LAST_SCAN;

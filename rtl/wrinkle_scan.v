@@ -1,9 +1,9 @@
 `default_nettype none
-// Walks the pixels of a triangle packet: the row engine steps the edges one row a clock, empty rows included, and stands
-// on the next row to draw; the pixel engine walks the span before it, one pixel a clock. So neither a new row nor a new
-// triangle costs a clock, unless rows are empty. Tells wrinkle_interpolate every step, in the clock in which it is made.
-// A span's last pixel waits until the row engine knows whether more of the triangle follows.
-// Latency 2 from the packet. Does not clip: set-up lets no row leave the screen.
+// Walks the pixels of a triangle packet: the row engine steps the edges one row a clock, empty rows included, and
+// stands on the next row to draw; the pixel engine walks the span before it, one pixel a clock. So neither a new row
+// nor a new triangle costs a clock, unless rows are empty. Tells wrinkle_interpolate every step, in the clock in which
+// it is made. A span's last pixel waits until the row engine knows whether more of the triangle follows. Latency 2 from
+// the packet. Does not clip: set-up lets no row leave the screen.
 module wrinkle_scan #(
   parameter SCREEN_BITS   = 10,
   parameter SUBPIXEL_BITS = 8

@@ -1,7 +1,7 @@
 `default_nettype none
-// First-in first-out buffer of 2^ADDRESS_BITS entries, control half. One wrinkle_fifo_memory a payload word hangs on it.
-// Ready depends on the fill count alone, so the buffer cuts the ready chain. Latency 1, one push and one pop a clock;
-// a full buffer does not take a word on the clock it gives one.
+// First-in first-out buffer of 2^ADDRESS_BITS entries, control half. One wrinkle_fifo_memory a payload word hangs on
+// it. Ready depends on the fill count alone, so the buffer cuts the ready chain. Latency 1, one push and one pop a
+// clock; a full buffer does not take a word on the clock it gives one.
 module wrinkle_fifo #(
   parameter ADDRESS_BITS = 4
 ) (

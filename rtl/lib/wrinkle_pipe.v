@@ -1,7 +1,7 @@
 `default_nettype none
-// Valid bits of an elastic pipeline of RANKS registers. All ranks move together on `advance_o`: whenever the last one is
-// empty or is being taken. Data registers beside it load on advance_o and need no reset.
-// Latency RANKS. Does not cut the ready path (wrinkle_skid does) and does not close gaps between fragments.
+// Valid bits of an elastic pipeline of RANKS registers. All ranks move together on `advance_o`: whenever the last one
+// is empty or is being taken. Data registers beside it load on advance_o and need no reset. Latency RANKS. Does not cut
+// the ready path (wrinkle_skid does) and does not close gaps between fragments.
 module wrinkle_pipe #(
   parameter RANKS = 2
 ) (

@@ -1,6 +1,7 @@
 `default_nettype none
 // The one rounding: floor(value / 2^SHIFT + 1/2), kept to RESULT_BITS bits; for SHIFT <= 0 the exact value * 2^-SHIFT.
-// Signed. Combinational. Does not saturate: the bits above the result are dropped (wrinkle_saturate keeps them in check).
+// Signed. Combinational. Does not saturate: the bits above the result are dropped (wrinkle_saturate keeps them in
+// check).
 module wrinkle_round_half_up #(
   parameter VALUE_BITS  = 20,
   parameter integer SHIFT = 8,

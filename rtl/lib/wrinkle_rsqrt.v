@@ -49,7 +49,8 @@ module wrinkle_rsqrt #(
     reg [63:0] step, t0, r0, rm, r1, base, slope;
     begin
       step    = 64'd1 << (INPUT_BITS - 2 - SEGMENT_BITS + (i >> SEGMENT_BITS));
-      t0      = (64'd1 << (INPUT_BITS - 2 + (i >> SEGMENT_BITS))) + step * ({32'd0, i} & ((64'd1 << SEGMENT_BITS) - 64'd1));
+      t0      = (64'd1 << (INPUT_BITS - 2 + (i >> SEGMENT_BITS))) +
+                step * ({32'd0, i} & ((64'd1 << SEGMENT_BITS) - 64'd1));
       r0      = root(t0);
       rm      = root(t0 + (step >> 1));
       r1      = root(t0 + step);

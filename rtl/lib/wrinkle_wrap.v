@@ -1,6 +1,6 @@
 `default_nettype none
-// One texel coordinate brought into a level of 2^size_log2 texels: repeat keeps the low bits, clamp limits, mirror inverts the low bits
-// in every other period. Combinational.
+// One texel coordinate brought into a level of 2^size_log2 texels: repeat keeps the low bits, clamp limits, mirror
+// inverts the low bits in every other period. Combinational.
 module wrinkle_wrap #(
   parameter INDEX_BITS = 17
 ) (

@@ -63,7 +63,8 @@ yosys_run() { # SCRIPT TOP [NAME=VALUE...]
   shift 2
   flags=""
   for setting in "$@"; do flags="$flags -set ${setting%%=*} ${setting#*=}"; done
-  yosys -q -e . -p "read_verilog -defer $root/rtl/*.v $root/rtl/lib/*.v; ${flags:+chparam $flags $top;} hierarchy -check -top $top; $script"
+  read="read_verilog -defer $root/rtl/*.v $root/rtl/lib/*.v"
+  yosys -q -e . -p "$read; ${flags:+chparam $flags $top;} hierarchy -check -top $top; $script"
 }
 
 yosys_check() { yosys_run "proc; check -assert" "$@"; }
