@@ -81,7 +81,8 @@ TEST(SetUp, PlanesKeepTheirBoundOnRandomTriangles) {
       return Point{static_cast<int>(random.integer(-size, 2 * size - 1)),
                    static_cast<int>(random.integer(-size, 2 * size - 1))};
     };
-    ScreenTriangle t = triangle(point(), point(), point());
+    const Point a = point(), b = point(), c = point();
+    ScreenTriangle t = triangle(a, b, c);
     if (i % 3 == 0) t.v[2].x = t.v[0].x + static_cast<int>(random.integer(-3, 3)), t.v[2].y = t.v[0].y;
     if (t.v[2].x < -size || t.v[2].x >= 2 * size) continue;
     randomize_attributes(random, t);
