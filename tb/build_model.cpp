@@ -135,7 +135,8 @@ Arguments operator+(Arguments a, const Arguments& b) {
   return a;
 }
 
-// Verilator's own run-time library, compiled once for each way of compiling models.
+// Verilator's own run-time library, compiled once for each way of compiling models; always in the default cache, since
+// it is the same for every model.
 fs::path runtime_library(const ModelOptions& options, const fs::path& cache, const BuildProgress& progress) {
   ModelOptions runtime = options;
   runtime.optimize = true;
@@ -225,7 +226,9 @@ fs::path build_model(const Config& config, const ModelOptions& options, const Bu
   const fs::path library = cache / (key + ".so");
   if (fs::exists(library)) return library;
 
-  const fs::path runtime = runtime_library(options, cache, progress);
+  const fs::path shared = cache_directory({});
+  fs::create_directories(shared);
+  const fs::path runtime = runtime_library(options, shared, progress);
   const FileLock lock(cache / (key + ".lock"));
   if (fs::exists(library)) return library;
   if (progress) progress("building the Verilated model " + key.substr(0, 8));

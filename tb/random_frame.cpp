@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "golden/triangle/corners.h"
 #include "tb/stall.h"
 
 namespace wrinkle {
@@ -106,13 +107,14 @@ Outline random_outline(const Frame& frame, Random& random) {
 std::int32_t snap(const Config& config, double pixels) {
   const double grid = std::ldexp(1.0, config.subpixel_bits);
   const double screen = grid * config.screen_size();
-  double snapped = std::floor(pixels * grid);
+  const double snapped = std::floor(pixels * grid);
   return static_cast<std::int32_t>(std::clamp(snapped, -screen, 2 * screen - 1));
 }
 
 // Texture coordinates that fit the format: within its range, and moved by whole repeats where the texture repeats.
 Vec2 random_uv(const Config& config, double scale, Vec2 offset, Random& random) {
-  const double bound = 0.95 * std::ldexp(1.0, config.uv_integer_bits - 1) * scale;
+  const auto margin = static_cast<double>(interpolation_margin(config, config.uv_width()) + 2);
+  const double bound = scale * (std::ldexp(1.0, config.uv_integer_bits - 1) - std::ldexp(margin, -config.uv_bits));
   return Vec2{bound * (2 * random.real() - 1), bound * (2 * random.real() - 1)} + offset;
 }
 
@@ -161,7 +163,11 @@ Frame random_frame(const Config& config, const RandomFrame& wish) {
     Draw draw;
     draw.state = random_state(config, frame, random);
     for (double left = wish.fragments / wish.draws; left > 0;) {
-      const Outline outline = random_outline(frame, random);
+      Outline outline = random_outline(frame, random);
+      // The budget goes to many triangles, not to one.
+      for (int retry = 0; retry < 20 && estimated_fragments(frame, outline) > 1000 + left; ++retry) {
+        outline = random_outline(frame, random);
+      }
       draw.triangles.push_back(random_triangle(config, draw.state, outline, random));
       draw.triangles.back().id = id++;
       left -= estimated_fragments(frame, outline);

@@ -1,0 +1,58 @@
+// Configurations the bench is tested with.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "golden/config.h"
+
+namespace wrinkle {
+
+// Quick to build and to run, with every stage in it.
+inline Config small_config() {
+  Config c;
+  c.perspective = 1;
+  c.decal = 1;
+  c.screen_bits = 6;
+  c.vector_bits = 7;
+  c.uv_bits = 12;
+  c.q_bits = 10;
+  c.reciprocal_bits = 10;
+  c.lod_bits = 2;
+  c.weight_bits = 3;
+  c.texel_bits = 6;
+  c.unit_bits = 6;
+  c.dot_bits = 8;
+  c.power_bits = 8;
+  c.specular_squarings = 2;
+  c.depth_bits = 10;
+  return c;
+}
+
+inline constexpr int kSpread = 6;
+
+// Six legal configurations. Every width takes six values from its minimum to its maximum, another in each; every choice
+// takes all of its values.
+inline Config spread_config(int index) {
+  Config config;
+  int turn = 0;
+  for (const Parameter& parameter : parameters()) {
+    const int range = parameter.maximum - parameter.minimum;
+    if (!parameter.values.empty()) {
+      config.*parameter.member = (index + turn) % (range + 1);
+      turn += index / 2;
+      continue;
+    }
+    // The widths that bound each other grow together; the others are dealt in turn.
+    const bool bound = parameter.member == &Config::unit_bits || parameter.member == &Config::dot_bits ||
+                       parameter.member == &Config::power_bits || parameter.member == &Config::q_bits ||
+                       parameter.member == &Config::reciprocal_bits;
+    const int rank = bound ? index : (index + ++turn) % kSpread;
+    config.*parameter.member = parameter.minimum + (range * rank + 2) / (kSpread - 1);
+  }
+  config.q_bits = std::min(config.q_bits, config.reciprocal_bits + 1);
+  return config;
+}
+
+}  // namespace wrinkle

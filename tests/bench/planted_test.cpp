@@ -1,0 +1,182 @@
+// The bench itself is tested: a wrong bit planted in each stage in turn is found, and the stage is named.
+// Slow: each case builds a model of its own.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tb/bench.h"
+#include "tb/process.h"
+#include "tb/random_frame.h"
+#include "tests/bench/configurations.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Planted {
+  const char* name;
+  const char* file;
+  std::vector<std::pair<std::string, std::string>> edits;  // text, and what is put in its place
+  std::string stage, value;                                // as it must be named
+  Difference::Kind kind = Difference::Kind::kValue;
+};
+
+const std::vector<Planted>& cases() {
+  using Kind = Difference::Kind;
+  static const std::vector<Planted> list = {
+      {"packet",
+       "wrinkle_packet.v",
+       {{"word_o           = word;", "word_o = word ^ {63'd0, plane_shift_o & word[9]};"}},
+       "interpolate",
+       "n"},
+      {"scan", "wrinkle_scan.v", {{"y_o         = y_q;", "y_o = y_q ^ {{(X-1){1'b0}}, &w_q[2:0]};"}}, "scan", "y"},
+      {"scan_last", "wrinkle_scan.v", {{"last_o      = ", "last_o = (y_q == 5) ^ "}}, "scan", "last"},
+      {"interpolate",
+       "wrinkle_interpolate.v",
+       {{"l_o[(k-3)*W +: W] = value;", "l_o[(k-3)*W +: W] = value ^ (k == 4 ? 8 : 0);"}},
+       "interpolate",
+       "l"},
+      {"perspective",
+       "wrinkle_perspective.v",
+       {{".value_i(v3)", ".value_i(v3 ^ ({{(UW-1){1'b0}}, 1'b1} << (UV_BITS - 3)))"}},
+       "perspective",
+       "v"},
+      {"texture",
+       "wrinkle_texture.v",
+       {{".a00_i(texel_a00_i)", ".a00_i(texel_a00_i ^ (1 << (TEXEL_BITS - 2)))"}},
+       "texture",
+       "n"},
+      {"texture_decal",
+       "wrinkle_texture.v",
+       {{".a11_i(texel_a11_i)", ".a11_i(texel_a11_i ^ (1 << (4 * TEXEL_BITS - 1)))"}},
+       "texture",
+       "decal"},
+      {"texture_address", "wrinkle_texture.v", {{".u_i(u_i)", ".u_i(u_i ^ (1 << (UV_BITS - 2)))"}}, "texture", "n"},
+      {"perturb",
+       "wrinkle_perturb.v",
+       {{"draw_bump_i ? texture_n_i", "draw_bump_i ? texture_n_i ^ 16"}},
+       "perturb",
+       "n"},
+      {"normalize",
+       "wrinkle_normalize.v",
+       {{".vector_i(l_i)", ".vector_i(l_i ^ (1 << (VECTOR_BITS - 2)))"}},
+       "normalize",
+       "l"},
+      {"normalize_zero",
+       "wrinkle_normalize.v",
+       {{"zero_n | zero_l | zero_h", "zero_n | zero_l | zero_h | (n_o == 7)"}},
+       "normalize",
+       "zero"},
+      {"light", "wrinkle_light.v", {{".data_i(nl2)", ".data_i(nl2 ^ (1 << (DOT_BITS - 3)))"}}, "light", "nl"},
+      {"light_power",
+       "wrinkle_light.v",
+       {{".a_i(power)", ".a_i(power ^ (1 << (POWER_BITS - 1)))"}},
+       "light",
+       "specular"},
+      {"output", "wrinkle_output.v", {{".data_i(colour)", ".data_i(colour ^ 2)"}}, "output", "colour"},
+      {"output_z",
+       "wrinkle_output.v",
+       {{"z_o = tag_out[2*X+1 +: DEPTH_BITS];", "z_o = tag_out[2*X+1 +: DEPTH_BITS] ^ 1;"}},
+       "output",
+       "z"},
+      {"dropped",
+       "wrinkle_normalize.v",
+       {{".in_valid_i(in_valid_i)", ".in_valid_i(in_valid_i & tag_i[4:0] != 5'd21)"}},
+       "normalize",
+       "",
+       Kind::kValue},
+      {"doubled",
+       "wrinkle_perturb.v",
+       {{"in_ready_o  = out_ready_i;", "in_ready_o  = out_ready_i & smooth_n_i[4:0] != 5'd21;"}},
+       "perturb",
+       ""},
+      {"hung",
+       "wrinkle_light.v",
+       {{".in_valid_i(in_valid_i)", ".in_valid_i(in_valid_i & tag_i[5:0] != 6'd21)"},
+        {"in_ready_o = advance;", "in_ready_o = advance & tag_i[5:0] != 6'd21;"}},
+       "light",
+       "",
+       Kind::kHang},
+      {"not_held",
+       "wrinkle_output.v",
+       {{"assign x_o    = tag_out[X-1:0];", "assign x_o = tag_out[X-1:0] ^ {{(X-1){1'b0}}, in_valid_i};"}},
+       "output",
+       "x"},
+  };
+  return list;
+}
+
+// A copy of the Verilog with the edits made; each must fit.
+fs::path plant(const Planted& planted) {
+  const fs::path root = fs::path(testing::TempDir()) / ("wrinkle_planted_" + std::to_string(getpid())) / planted.name;
+  fs::remove_all(root);
+  fs::create_directories(root);
+  fs::copy(fs::path(WRINKLE_SOURCE_DIR) / "rtl", root / "rtl", fs::copy_options::recursive);
+  const fs::path file = root / "rtl" / planted.file;
+  std::string text = read_text(file);
+  for (const auto& [from, to] : planted.edits) {
+    const auto at = text.find(from);
+    if (at == text.npos) {
+      ADD_FAILURE() << planted.file << " has no \"" << from << "\" to plant an error in";
+      continue;
+    }
+    text.replace(at, from.size(), to);
+  }
+  std::ofstream(file) << text;
+  return root;
+}
+
+class PlantedSlow : public testing::TestWithParam<Planted> {};
+
+TEST_P(PlantedSlow, IsFoundAndItsStageNamed) {
+  const Planted& planted = GetParam();
+  const fs::path root = plant(planted);
+  BenchOptions options;
+  options.seed = 11;
+  options.stalls = StallProfile::kRandom;
+  options.watchdog = 5000;
+  options.model.source_root = root;
+  options.model.cache = root / "cache";
+  options.model.optimize = false;
+  RandomFrame wish;
+  wish.seed = 3;
+  wish.fragments = 4000;
+  const BenchResult result = run_bench(small_config(), random_frame(small_config(), wish), options);
+  fs::remove_all(root);
+
+  ASSERT_FALSE(result.equal()) << "the planted error was not found";
+  ASSERT_TRUE(result.first.has_value());
+  const std::string text = describe(*result.first);
+  std::cout << text << '\n';
+  EXPECT_EQ(result.first->stage, planted.stage) << text;
+  if (!planted.value.empty()) {
+    EXPECT_EQ(result.first->value, planted.value) << text;
+    EXPECT_NE(result.first->golden, result.first->rtl) << text;
+  }
+  EXPECT_EQ(result.first->kind, planted.kind) << text;
+  EXPECT_GE(result.first->triangle, 0) << text;
+  EXPECT_GE(result.first->draw, 0) << text;
+}
+
+std::string case_name(const testing::TestParamInfo<Planted>& test) { return test.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Bench, PlantedSlow, testing::ValuesIn(cases()), case_name);
+
+TEST(Planted, NothingPlantedIsNoDifference) {
+  BenchOptions options;
+  options.stalls = StallProfile::kRandom;
+  RandomFrame wish;
+  wish.seed = 3;
+  wish.fragments = 4000;
+  const BenchResult result = run_bench(small_config(), random_frame(small_config(), wish), options);
+  EXPECT_TRUE(result.equal()) << (result.first ? describe(*result.first) : "");
+}
+
+}  // namespace
+}  // namespace wrinkle
