@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "golden/config.h"
@@ -13,7 +12,7 @@
 
 namespace wrinkle::exact {
 
-// Normal in 0 to 2, decal in 3 to 5, as in ExactTexture.
+// Normal in 0 to 2, decal in 3 to 5 where it is configured, as in ExactTexture.
 using Sample = std::array<double, 6>;
 
 inline std::int64_t wrap_texel(int wrap, std::int64_t i, std::int64_t size) {
@@ -28,37 +27,47 @@ inline std::int64_t wrap_texel(int wrap, std::int64_t i, std::int64_t size) {
   return i & (size - 1);
 }
 
-inline void accumulate(double weight, const std::array<float, 6>& texel, Sample& sample) {
-  for (std::size_t k = 0; k < 6; ++k) sample[k] += weight * static_cast<double>(texel[k]);
+// floor(x), where the library's would be a call.
+inline std::int64_t floor_to_integer(double x) {
+  const auto truncated = static_cast<std::int64_t>(x);
+  return truncated - (static_cast<double>(truncated) > x ? 1 : 0);
+}
+
+// The one or two texels along an axis, and the share of the second.
+struct Tap {
+  std::int64_t first, second;
+  double fraction;
+};
+inline Tap tap(const Config& config, int wrap, double coordinate, int size) {
+  const bool nearest = config.filter == static_cast<int>(Filter::kNearest);
+  const double t = coordinate * size - (nearest ? 0 : 0.5);
+  const std::int64_t i = floor_to_integer(t);
+  const std::int64_t first = wrap_texel(wrap, i, size);
+  return nearest ? Tap{first, first, 0} : Tap{first, wrap_texel(wrap, i + 1, size), t - static_cast<double>(i)};
 }
 
 // Adds `weight` times the sample of one mip level.
 inline void sample_level(const Config& config, const DrawWords& draw, const ExactTexture& texture, int level, Vec2 uv,
                          double weight, Sample& sample) {
-  const auto width = std::int64_t{texture.width(level)}, height = std::int64_t{texture.height(level)};
+  const Tap x = tap(config, draw.wrap_u, uv.x, texture.width(level));
+  const Tap y = tap(config, draw.wrap_v, uv.y, texture.height(level));
   const auto& texels = texture.levels[static_cast<std::size_t>(level)];
-  const auto at = [&](std::int64_t x, std::int64_t y) -> const std::array<float, 6>& {
-    return texels[static_cast<std::size_t>(wrap_texel(draw.wrap_v, y, height) * width +
-                                           wrap_texel(draw.wrap_u, x, width))];
+  const std::size_t used = config.decal != 0 ? 6 : 3;
+  const auto add = [&](std::int64_t i, std::int64_t j, double share) {
+    const auto& texel = texels[static_cast<std::size_t>(j * texture.width(level) + i)];
+    for (std::size_t k = 0; k < used; ++k) sample[k] += share * static_cast<double>(texel[k]);
   };
-  const bool nearest = config.filter == static_cast<int>(Filter::kNearest);
-  const double offset = nearest ? 0 : 0.5;
-  const double s = uv.x * static_cast<double>(width) - offset, t = uv.y * static_cast<double>(height) - offset;
-  const double s0 = std::floor(s), t0 = std::floor(t);
-  const auto x = static_cast<std::int64_t>(s0), y = static_cast<std::int64_t>(t0);
-  if (nearest) return accumulate(weight, at(x, y), sample);
-  const double fx = s - s0, fy = t - t0;
-  accumulate(weight * (1 - fx) * (1 - fy), at(x, y), sample);
-  accumulate(weight * fx * (1 - fy), at(x + 1, y), sample);
-  accumulate(weight * (1 - fx) * fy, at(x, y + 1), sample);
-  accumulate(weight * fx * fy, at(x + 1, y + 1), sample);
+  add(x.first, y.first, weight * (1 - x.fraction) * (1 - y.fraction));
+  add(x.second, y.first, weight * x.fraction * (1 - y.fraction));
+  add(x.first, y.second, weight * (1 - x.fraction) * y.fraction);
+  add(x.second, y.second, weight * x.fraction * y.fraction);
 }
 
 // Without a trilinear filter the nearest level. `lod` of any size; clamped to the chain.
 inline Sample sample(const Config& config, const DrawWords& draw, const ExactTexture& texture, Vec2 uv, double lod) {
   Sample result{};
   const double inside = std::clamp(lod, 0.0, static_cast<double>(texture.max_level()));
-  const int a = static_cast<int>(config.trilinear() ? inside : std::floor(inside + 0.5));
+  const int a = static_cast<int>(config.trilinear() ? inside : inside + 0.5);
   const double fraction = config.trilinear() ? inside - a : 0;
   sample_level(config, draw, texture, a, uv, 1 - fraction, result);
   if (fraction > 0) sample_level(config, draw, texture, a + 1, uv, fraction, result);
