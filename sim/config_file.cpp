@@ -27,7 +27,8 @@ struct Loaded {
   std::vector<std::pair<std::string, Place>> places;
 
   Place place(const std::string& key, const std::string& file) const {
-    const auto found = std::find_if(places.begin(), places.end(), [&](const auto& entry) { return entry.first == key; });
+    const auto found =
+        std::find_if(places.begin(), places.end(), [&](const auto& entry) { return entry.first == key; });
     return found != places.end() ? found->second : Place{file, 0, 0, {}};
   }
 };

@@ -1,4 +1,5 @@
-// Configuration files: TOML, keys and values exactly as in golden/parameters.def. docs/formats.md, "Configuration file".
+// Configuration files: TOML, keys and values exactly as in golden/parameters.def. docs/formats.md, "Configuration
+// file".
 #pragma once
 
 #include <filesystem>

@@ -114,7 +114,8 @@ const tinygltf::Accessor& checked_accessor(const GltfFile& file, int index, int 
                      std::to_string(components) + ", for it is " + pointer);
   }
   if (accessor.count < 1 || accessor.count > kMaximumCount) {
-    throw InputError(file.place(own + "/count"), std::to_string(accessor.count), "1 to " + std::to_string(kMaximumCount));
+    throw InputError(file.place(own + "/count"), std::to_string(accessor.count),
+                     "1 to " + std::to_string(kMaximumCount));
   }
   return accessor;
 }
@@ -124,7 +125,8 @@ void substitute(const GltfFile& file, const tinygltf::Accessor& accessor, const 
   const auto& sparse = accessor.sparse;
   const std::string pointer = own + "/sparse";
   if (sparse.count < 1 || static_cast<std::size_t>(sparse.count) > data.count) {
-    throw InputError(file.place(pointer + "/count"), std::to_string(sparse.count), "1 to " + std::to_string(data.count));
+    throw InputError(file.place(pointer + "/count"), std::to_string(sparse.count),
+                     "1 to " + std::to_string(data.count));
   }
   const auto count = static_cast<std::size_t>(sparse.count);
   const auto offset = [&](int value, const std::string& where) {
@@ -132,11 +134,13 @@ void substitute(const GltfFile& file, const tinygltf::Accessor& accessor, const 
     return static_cast<std::size_t>(value);
   };
   const std::size_t index_bytes = component_bytes(file, sparse.indices.componentType, pointer + "/indices");
-  const Span indices = checked_span(file, sparse.indices.bufferView, offset(sparse.indices.byteOffset, pointer + "/indices"),
-                                    count, index_bytes, pointer + "/indices");
+  const Span indices =
+      checked_span(file, sparse.indices.bufferView, offset(sparse.indices.byteOffset, pointer + "/indices"), count,
+                   index_bytes, pointer + "/indices");
   const std::size_t bytes = component_bytes(file, accessor.componentType, own);
-  const Span values = checked_span(file, sparse.values.bufferView, offset(sparse.values.byteOffset, pointer + "/values"),
-                                   count, bytes * static_cast<std::size_t>(data.components), pointer + "/values");
+  const Span values =
+      checked_span(file, sparse.values.bufferView, offset(sparse.values.byteOffset, pointer + "/values"), count,
+                   bytes * static_cast<std::size_t>(data.components), pointer + "/values");
   for (std::size_t i = 0; i < count; ++i) {
     const double at = component_at(indices.first + i * indices.stride, sparse.indices.componentType, false);
     if (!(at >= 0 && at < static_cast<double>(data.count))) {
@@ -182,16 +186,18 @@ std::vector<std::uint32_t> read_indices(const GltfFile& file, int index, std::si
   const int type = accessor.componentType;
   if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-    throw InputError(file.place(own + "/componentType"), std::to_string(type), "5121, 5123 or 5125, for it is " + pointer);
+    throw InputError(file.place(own + "/componentType"), std::to_string(type),
+                     "5121, 5123 or 5125, for it is " + pointer);
   }
   const AccessorData data = read_accessor(file, index, 1, pointer);
   std::vector<std::uint32_t> indices;
   indices.reserve(data.count);
   for (std::size_t i = 0; i < data.count; ++i) {
     if (!(data.values[i] < static_cast<double>(vertices))) {
-      throw InputError(file.place(own), "vertex " + std::to_string(static_cast<std::uint64_t>(data.values[i])) +
-                                            " in element " + std::to_string(i),
-                       "less than " + std::to_string(vertices));
+      throw InputError(
+          file.place(own),
+          "vertex " + std::to_string(static_cast<std::uint64_t>(data.values[i])) + " in element " + std::to_string(i),
+          "less than " + std::to_string(vertices));
     }
     indices.push_back(static_cast<std::uint32_t>(data.values[i]));
   }

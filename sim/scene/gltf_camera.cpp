@@ -30,8 +30,7 @@ void set_size(PictureSize& size, double aspect) {
 
 }  // namespace
 
-Camera read_gltf_camera(const GltfFile& file, const GltfInstance& instance, const Bounds& bounds,
-                        PictureSize& size) {
+Camera read_gltf_camera(const GltfFile& file, const GltfInstance& instance, const Bounds& bounds, PictureSize& size) {
   const std::string pointer = "/cameras/" + std::to_string(instance.index);
   const tinygltf::Camera& source = file.model.cameras[static_cast<std::size_t>(instance.index)];
   const auto number = [&](double value, double minimum, double maximum, const std::string& key) {
@@ -68,7 +67,8 @@ std::optional<Light> read_gltf_light(const GltfFile& file, const GltfNodes& node
     const tinygltf::Light& light = file.model.lights[static_cast<std::size_t>(instance.index)];
     const std::string pointer = "/extensions/KHR_lights_punctual/lights/" + std::to_string(instance.index);
     if (light.type != "directional" && light.type != "point" && light.type != "spot") {
-      throw InputError(file.place(pointer + "/type"), "\"" + light.type + "\"", "\"directional\", \"point\" or \"spot\"");
+      throw InputError(file.place(pointer + "/type"), "\"" + light.type + "\"",
+                       "\"directional\", \"point\" or \"spot\"");
     }
     const double intensity = checked_number(light.intensity, 0, 1e12, "intensity", file.place(pointer));
     if (intensity > most) {
@@ -79,13 +79,14 @@ std::optional<Light> read_gltf_light(const GltfFile& file, const GltfNodes& node
   if (strongest == nullptr) return std::nullopt;
   const tinygltf::Light& light = file.model.lights[static_cast<std::size_t>(strongest->index)];
   if (nodes.lights.size() > 1) {
-    notes.push_back(file.path.string() + ": of " + std::to_string(nodes.lights.size()) + " lights only the strongest, " +
-                    strongest->pointer + ", is used");
+    notes.push_back(file.path.string() + ": of " + std::to_string(nodes.lights.size()) +
+                    " lights only the strongest, " + strongest->pointer + ", is used");
   }
   if (light.type == "spot") notes.push_back(file.path.string() + ": the spot light shines in all directions");
   if (light.type != "directional") return Light{transform_point(strongest->to_world, {}), false};
   const Vec3 towards = transform_direction(strongest->to_world, {0, 0, 1});  // it shines along the node's -z
-  if (length(towards) == 0) throw InputError(file.place(strongest->pointer), "a light scaled to nothing", "a direction");
+  if (length(towards) == 0)
+    throw InputError(file.place(strongest->pointer), "a light scaled to nothing", "a direction");
   return Light{normalize(towards), true};
 }
 

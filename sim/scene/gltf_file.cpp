@@ -118,8 +118,9 @@ int checked_index(const GltfFile& file, int index, std::size_t size, const std::
                   const std::string& pointer) {
   if (index >= 0 && static_cast<std::size_t>(index) < size) return index;
   throw InputError(file.place(pointer), "index " + std::to_string(index),
-                   size == 0 ? "no reference, for there are no " + what
-                             : "0 to " + std::to_string(size - 1) + ", for there are " + std::to_string(size) + " " + what);
+                   size == 0
+                       ? "no reference, for there are no " + what
+                       : "0 to " + std::to_string(size - 1) + ", for there are " + std::to_string(size) + " " + what);
 }
 
 std::string decode_uri(const std::string& uri, const Place& place) {

@@ -28,7 +28,8 @@ struct GltfFile {
 GltfFile load_gltf(const std::filesystem::path& path);
 
 // `index` if it is in [0, size), else an error at `pointer`: "found index 7 of 3 meshes".
-int checked_index(const GltfFile& file, int index, std::size_t size, const std::string& what, const std::string& pointer);
+int checked_index(const GltfFile& file, int index, std::size_t size, const std::string& what,
+                  const std::string& pointer);
 
 Image read_gltf_image(const GltfFile& file, int image);
 

@@ -37,8 +37,8 @@ void read_sampler(const GltfFile& file, int texture, GltfMaterial& material, Not
   const std::string own = "/samplers/" + std::to_string(index);
   material.wrap_u = wrap_of(file, sampler.wrapS, own + "/wrapS");
   material.wrap_v = wrap_of(file, sampler.wrapT, own + "/wrapT");
-  const bool nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ||
-                       sampler.minFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+  const bool nearest =
+      sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST || sampler.minFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
   if (nearest) notes.push_back(file.place(own).text() + ": asks for nearest; the filter is the configuration's");
 }
 
@@ -103,8 +103,8 @@ GltfMaterial read_gltf_material(const GltfFile& file, int index, const std::stri
   const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
   const std::string pbr_pointer = pointer + "/pbrMetallicRoughness";
   if (pbr.baseColorFactor.size() != 4) {
-    throw InputError(file.place(pbr_pointer + "/baseColorFactor"), std::to_string(pbr.baseColorFactor.size()) + " numbers",
-                     "4");
+    throw InputError(file.place(pbr_pointer + "/baseColorFactor"),
+                     std::to_string(pbr.baseColorFactor.size()) + " numbers", "4");
   }
   std::array<double, 3> base{};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -39,10 +39,22 @@ Mat4 rotation_of(const GltfFile& file, const std::vector<double>& q, const std::
   }
   const double x = q[0] / norm, y = q[1] / norm, z = q[2] / norm, w = q[3] / norm;
   Mat4 m;
-  m.m = {1 - 2 * (y * y + z * z), 2 * (x * y - z * w),     2 * (x * z + y * w),     0,
-         2 * (x * y + z * w),     1 - 2 * (x * x + z * z), 2 * (y * z - x * w),     0,
-         2 * (x * z - y * w),     2 * (y * z + x * w),     1 - 2 * (x * x + y * y), 0,
-         0,                       0,                       0,                       1};
+  m.m = {1 - 2 * (y * y + z * z),
+         2 * (x * y - z * w),
+         2 * (x * z + y * w),
+         0,
+         2 * (x * y + z * w),
+         1 - 2 * (x * x + z * z),
+         2 * (y * z - x * w),
+         0,
+         2 * (x * z - y * w),
+         2 * (y * z + x * w),
+         1 - 2 * (x * x + y * y),
+         0,
+         0,
+         0,
+         0,
+         1};
   return m;
 }
 
@@ -110,8 +122,8 @@ GltfNodes read_gltf_nodes(const GltfFile& file) {
   const tinygltf::Model& model = file.model;
   Walk walk{file, std::vector<bool>(model.nodes.size()), {}};
   if (model.scenes.empty()) throw InputError(file.place("/scenes"), "no scene", "at least one");
-  const int chosen = checked_index(file, model.defaultScene == -1 ? 0 : model.defaultScene, model.scenes.size(),
-                                   "scenes", "/scene");
+  const int chosen =
+      checked_index(file, model.defaultScene == -1 ? 0 : model.defaultScene, model.scenes.size(), "scenes", "/scene");
   const std::vector<int>& roots = model.scenes[static_cast<std::size_t>(chosen)].nodes;
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const std::string pointer = "/scenes/" + std::to_string(chosen) + "/nodes/" + std::to_string(i);

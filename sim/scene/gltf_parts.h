@@ -35,7 +35,7 @@ std::optional<Mesh> read_gltf_primitive(const GltfFile& file, int mesh, int prim
 
 // What the nodes of the scene hang in the world.
 struct GltfInstance {
-  int index = 0;       // of the mesh, camera or light
+  int index = 0;  // of the mesh, camera or light
   Mat4 to_world;
   std::string name;
   std::string pointer;
@@ -45,8 +45,7 @@ struct GltfNodes {
 };
 GltfNodes read_gltf_nodes(const GltfFile& file);
 
-Camera read_gltf_camera(const GltfFile& file, const GltfInstance& instance, const Bounds& bounds,
-                        PictureSize& size);
+Camera read_gltf_camera(const GltfFile& file, const GltfInstance& instance, const Bounds& bounds, PictureSize& size);
 // The strongest light; the others are noted.
 std::optional<Light> read_gltf_light(const GltfFile& file, const GltfNodes& nodes, Notes& notes);
 

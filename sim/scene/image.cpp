@@ -69,8 +69,11 @@ void check_finite(const Image& image, const Place& place) {
   if (bad == image.pixels.end()) return;
   const auto pixel = (bad - image.pixels.begin()) / image.channels;
   throw InputError(place,
-                   (std::isnan(*bad) ? "NaN" : std::isinf(*bad) ? "infinity" : std::to_string(*bad)) + " at pixel (" +
-                       std::to_string(pixel % image.width) + ", " + std::to_string(pixel / image.width) + ")",
+                   (std::isnan(*bad)   ? "NaN"
+                    : std::isinf(*bad) ? "infinity"
+                                       : std::to_string(*bad)) +
+                       " at pixel (" + std::to_string(pixel % image.width) + ", " +
+                       std::to_string(pixel / image.width) + ")",
                    "finite values of at most 1e6");
 }
 
@@ -116,8 +119,11 @@ Image read_image(const std::string& bytes, const Place& place) {
   const std::string name = is_png(bytes) ? "embedded.png" : is_jpeg(bytes) ? "embedded.jpg" : "embedded.webp";
   OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
   const OIIO::ImageSpec hints = open_hints();
-  const auto input = OIIO::ImageInput::open(name, &hints, &memory);
-  if (!input) throw InputError(place, "no image (" + oiio_error(nullptr) + ")", "an image OpenImageIO reads");
+  const auto input = OIIO::ImageInput::create(name, false, &hints, &memory);
+  OIIO::ImageSpec spec;
+  if (!input || !input->set_ioproxy(&memory) || !input->open(name, spec, hints)) {
+    throw InputError(place, "no image (" + oiio_error(input.get()) + ")", "an image OpenImageIO reads");
+  }
   return decode(*input, place);
 }
 

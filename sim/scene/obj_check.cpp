@@ -66,8 +66,8 @@ double number_at(const Line& line, std::size_t word, double minimum, double maxi
 void check_numbers(const Line& line, std::size_t least, std::size_t most) {
   const std::size_t count = line.words.size() - 1;
   if (count < least || count > most) {
-    const std::string range = least == most ? std::to_string(least)
-                                            : std::to_string(least) + " to " + std::to_string(most);
+    const std::string range =
+        least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most);
     throw InputError(line.place(0), std::string(line.words[0]) + " with " + std::to_string(count) + " numbers", range);
   }
   for (std::size_t i = 1; i <= count; ++i) number_at(line, i, -kMaximumCoordinate, kMaximumCoordinate);
@@ -164,8 +164,8 @@ void check_mtl_line(const Line& line) {
     if (line.words.size() == 4) {
       for (std::size_t i = 1; i < 4; ++i) number_at(line, i, 0, 1e6);
     } else {
-      throw InputError(line.place(0), std::string(keyword) + " with " + std::to_string(line.words.size() - 1) + " words",
-                       "3 numbers");
+      throw InputError(line.place(0),
+                       std::string(keyword) + " with " + std::to_string(line.words.size() - 1) + " words", "3 numbers");
     }
   } else if (keyword == "Ns") {
     if (line.words.size() != 2) throw InputError(line.place(0), "Ns without one number", "a number");
@@ -183,7 +183,8 @@ void check_mtl_line(const Line& line) {
 ObjCounts check_obj(const std::string& file, std::string_view text) {
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos) {
-    const auto line = static_cast<unsigned>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n'));
+    const auto line =
+        static_cast<unsigned>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n'));
     throw InputError(Place{file, line + 1, 0, {}}, "a zero byte", "text");
   }
   ObjChecker checker;

@@ -36,7 +36,7 @@ Vec3 clamped(const tinyobj::real_t (&c)[3]) {
 }
 
 void note_options(const tinyobj::texture_option_t& option, const std::string& name, const Place& place, Notes& notes) {
-  const auto are = [](const tinyobj::real_t (&v)[3], double value) { return std::ranges::count(v, value) == 3; };
+  const auto are = [](const tinyobj::real_t(&v)[3], double value) { return std::ranges::count(v, value) == 3; };
   if (are(option.origin_offset, 0) && are(option.scale, 1) && are(option.turbulence, 0)) return;
   notes.push_back(place.text() + ": -o, -s and -t of \"" + name + "\" are not applied");
 }
@@ -135,7 +135,8 @@ Object object_of(Part part, const std::string& name, const ObjMaterial& material
   if (!part.all_normals && part.all_smooth) smooth_normals(object.mesh);
   if (!part.all_normals && !part.all_smooth) flat_normals(object.mesh);
   if (material.texture && !part.all_uvs) {
-    notes.push_back(place.text() + ": \"" + name + "\" has corners without texture coordinates and is drawn without texture");
+    notes.push_back(place.text() + ": \"" + name +
+                    "\" has corners without texture coordinates and is drawn without texture");
     return object;
   }
   object.texture = material.texture;

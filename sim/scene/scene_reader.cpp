@@ -68,7 +68,7 @@ Scene read_scene(const fs::path& given, Notes* notes) {
   const fs::path path = resolve(given);
   check_file(path, Place{path.string(), 0, 0, {}});
   Scene scene = extension_of(path) == ".toml" ? read_toml_scene(path, passed_over)
-                                               : scene_of(read_model(path, passed_over), path);
+                                              : scene_of(read_model(path, passed_over), path);
   if (notes != nullptr) notes->insert(notes->end(), passed_over.begin(), passed_over.end());
   return scene;
 }

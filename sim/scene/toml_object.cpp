@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string_view> kObjectKeys = {
-    "name",       "mesh",         "tessellation", "size",   "radius", "radii",  "translate", "rotate", "scale",
-    "space",      "normal_map",   "normal_scale", "height", "method", "k",      "mip",       "height_scale",
-    "repeat",     "wrap",         "decal",        "material", "double_sided", "shadow"};
+    "name",         "mesh",   "tessellation", "size",         "radius",   "radii",        "translate", "rotate",
+    "scale",        "space",  "normal_map",   "normal_scale", "height",   "method",       "k",         "mip",
+    "height_scale", "repeat", "wrap",         "decal",        "material", "double_sided", "shadow"};
 
 fs::path folder_of(const TomlTable& table) { return fs::path(table.file()).parent_path(); }
 
@@ -47,7 +47,8 @@ Mat4 read_transform(const TomlTable& table) {
     s = table.number("scale", -1e6, 1e6, 1) * s;
   }
   for (const double factor : {s.x, s.y, s.z}) {
-    if (std::abs(factor) < 1e-6) throw InputError(table.place("scale"), "a scale of almost 0", "1e-6 to 1e6 in magnitude");
+    if (std::abs(factor) < 1e-6)
+      throw InputError(table.place("scale"), "a scale of almost 0", "1e-6 to 1e6 in magnitude");
   }
   const Vec3 r = std::numbers::pi / 180 * degrees;
   return translation(t) * rotation({0, 0, 1}, r.z) * rotation({0, 1, 0}, r.y) * rotation({1, 0, 0}, r.x) * scaling(s);
@@ -117,8 +118,8 @@ Bump read_bump(const TomlTable& table) {
     const double scale = table.number("height_scale", -1e3, 1e3, source == "pinwheel" ? 0.02 : 0.05);
     bump.heights = source == "pinwheel"
                        ? pinwheel(512, scale)
-                       : regular_heights(heights_of(read_image(find_file(folder_of(table), source, table.place("height"))),
-                                                    scale));
+                       : regular_heights(
+                             heights_of(read_image(find_file(folder_of(table), source, table.place("height"))), scale));
   }
   return bump;
 }
@@ -126,7 +127,8 @@ Bump read_bump(const TomlTable& table) {
 // A height field that is repeated over a surface: (u, v) of the surface to (u, v) of the field, image rows downwards.
 class RepeatedHeightField : public HeightField {
  public:
-  RepeatedHeightField(std::shared_ptr<const HeightField> field, Vec2 repeat) : field_(std::move(field)), repeat_(repeat) {}
+  RepeatedHeightField(std::shared_ptr<const HeightField> field, Vec2 repeat)
+      : field_(std::move(field)), repeat_(repeat) {}
   Vec2 gradient(double u, double v) const override {
     const Vec2 g = field_->gradient(repeat_.x * u, 1 - repeat_.y * (1 - v));
     return {repeat_.x * g.x, repeat_.y * g.y};
@@ -231,7 +233,8 @@ class ObjectReader {
     const Vec2 repeat = read_repeat();
     if (bump.by_surface) {
       if (object.mesh.surfaces.empty()) {
-        throw InputError(table_.place("mesh"), "a mesh without analytic surface", "a built-in one for method = \"eq3-6\"");
+        throw InputError(table_.place("mesh"), "a mesh without analytic surface",
+                         "a built-in one for method = \"eq3-6\"");
       }
       if (repeat != Vec2{1, 1}) {
         throw InputError(table_.place("repeat"), "repeat other than 1",

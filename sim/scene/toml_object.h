@@ -11,8 +11,8 @@
 
 namespace wrinkle {
 
-// The objects that the table stands for: one; as many as a model file has; or, with Eq. 3-6, one for each surface, since
-// each has normals of its own. `decal` is set where one of them has a base colour texture.
+// The objects that the table stands for: one; as many as a model file has; or, with Eq. 3-6, one for each surface,
+// since each has normals of its own. `decal` is set where one of them has a base colour texture.
 std::vector<Object> read_toml_objects(const std::string& file, const toml::table& table, Notes& notes, bool& decal);
 
 }  // namespace wrinkle

@@ -32,13 +32,12 @@ Camera read_camera(const std::string& file, const toml::table& source, const Bou
     throw InputError(table.place(wrong), "\"" + std::string(wrong) + "\"",
                      camera.perspective ? "\"fov\" for a perspective camera" : "\"height\" for an orthographic one");
   }
-  camera.half_height = camera.perspective
-                           ? std::tan(table.number("fov", 0.01, 179, 35) * std::numbers::pi / 360)
-                           : 0.5 * table.number("height", 1e-6, kWorld, 2.02 * bounds.radius());
+  camera.half_height = camera.perspective ? std::tan(table.number("fov", 0.01, 179, 35) * std::numbers::pi / 360)
+                                          : 0.5 * table.number("height", 1e-6, kWorld, 2.02 * bounds.radius());
   const double distance = -transform_point(camera.world_to_eye, bounds.centre()).z;
   const double radius = 1.01 * bounds.radius() + 1e-6;
-  const double standard_near = camera.perspective ? std::max(distance - radius, 1e-3 * (distance + radius))
-                                                  : distance - radius;
+  const double standard_near =
+      camera.perspective ? std::max(distance - radius, 1e-3 * (distance + radius)) : distance - radius;
   camera.near = table.number("near", camera.perspective ? 1e-6 : -kWorld, kWorld, standard_near);
   camera.far = table.number("far", -kWorld, kWorld, std::max(distance + radius, camera.near + radius));
   if (camera.far <= camera.near) throw InputError(table.place("far"), "far not beyond near", "far > near");
@@ -94,8 +93,7 @@ Scene read_toml_scene(const std::filesystem::path& path, Notes& notes) {
   scene.camera = camera != nullptr ? read_camera(file, *camera, bounds) : framing_camera(bounds);
   const toml::table* light = table.table("light");
   scene.light = light != nullptr ? read_light(file, *light) : default_light(scene.camera);
-  scene.viewer_at_infinity =
-      table.choice("viewer", {"local", "infinite"}, scene.camera.perspective ? 0 : 1) == 1;
+  scene.viewer_at_infinity = table.choice("viewer", {"local", "infinite"}, scene.camera.perspective ? 0 : 1) == 1;
   scene.config = read_config(table, path.parent_path(), fitting_config(decal, scene.camera.perspective));
   return scene;
 }

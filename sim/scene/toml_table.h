@@ -1,14 +1,14 @@
 // Strict reading of TOML: every key known, every value of its type and in its range, every error with line and column.
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <toml++/toml.h>
 
 #include "golden/vector.h"
 #include "sim/input_error.h"
@@ -23,7 +23,8 @@ Place place_of(const std::string& file, const toml::node& node);
 // A number of a scene: finite, neither denormal in single precision nor outside [minimum, maximum]; -0 becomes 0.
 double checked_number(double value, double minimum, double maximum, const std::string& what, const Place& place);
 
-// One table and the keys it may have. Asking for a key that is not among them is a fault of the program (std::logic_error).
+// One table and the keys it may have. Asking for a key that is not among them is a fault of the program
+// (std::logic_error).
 class TomlTable {
  public:
   TomlTable(std::string file, const toml::table& table, std::string name, std::vector<std::string_view> keys);
