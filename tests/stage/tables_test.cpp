@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/pixel/context.h"
 #include "golden/pixel/reciprocal.h"
 #include "golden/pixel/rsqrt.h"
 
@@ -38,10 +39,12 @@ TEST_P(Rsqrt, IsFaithfulForEveryVector) {
 
 TEST_P(Rsqrt, SegmentsAreSmall) {
   const RsqrtGeometry g = GetParam();
+  const int leading = 1 << (g.output_bits + g.guard_bits);
   for (const Segment& s : rsqrt_table(g)) {
     EXPECT_GT(s.slope, 0);
-    EXPECT_LT(s.base, 4 << (g.output_bits + g.guard_bits));
-    EXPECT_LT(s.slope, 1 << (g.output_bits + g.guard_bits - g.segment_bits + 1));
+    EXPECT_LT(s.slope, 1 << kSlopeBits);
+    EXPECT_GE(s.base, leading) << "the leading bit is always set";
+    EXPECT_LT(s.base, 2 * leading);
   }
 }
 

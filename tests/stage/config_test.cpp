@@ -1,0 +1,67 @@
+// Configurations: the list of parameters, the rules, the width of a lane.
+#include "golden/config.h"
+
+#include "tests/stage/support.h"
+
+namespace wrinkle {
+namespace {
+
+TEST(Config, ParametersAreTheMembers) {
+  EXPECT_EQ(parameters().size() * sizeof(int), sizeof(Config));
+  const Config standard;
+  for (const Parameter& p : parameters()) {
+    EXPECT_EQ(standard.*p.member, p.standard) << p.name;
+    EXPECT_LE(p.minimum, p.standard) << p.name;
+    EXPECT_GE(p.maximum, p.standard) << p.name;
+    if (!p.values.empty()) {
+      EXPECT_EQ(static_cast<int>(p.values.size()), p.maximum + 1) << p.name;
+    }
+  }
+}
+
+TEST(Config, StandardIsLegalAndNarrow) {
+  EXPECT_EQ(check({}).key, "");
+  EXPECT_LE(widest_operand_bits({}), 32);
+  EXPECT_EQ(lane_bits({}), 32);
+  EXPECT_EQ(lane_bits(with({{&Config::perspective, 1}})), 64);
+}
+
+TEST(Config, EveryRangeIsChecked) {
+  for (const Parameter& p : parameters()) {
+    for (int value : {p.minimum - 1, p.maximum + 1}) {
+      Config config;
+      config.*p.member = value;
+      const IllegalParameter fault = check(config);
+      EXPECT_EQ(fault.key, p.name);
+      EXPECT_NE(fault.message.find(std::to_string(value)), std::string::npos) << fault.message;
+    }
+  }
+}
+
+TEST(Config, RulesBetweenParameters) {
+  EXPECT_EQ(check(with({{&Config::unit_bits, 6}, {&Config::dot_bits, 13}, {&Config::power_bits, 13}})).key, "dot_bits");
+  EXPECT_EQ(check(with({{&Config::unit_bits, 6}, {&Config::dot_bits, 12}, {&Config::power_bits, 12}})).key, "");
+  EXPECT_EQ(check(with({{&Config::dot_bits, 13}})).key, "power_bits");
+  const Config coarse = with({{&Config::reciprocal_bits, 16}, {&Config::q_bits, 18}});
+  EXPECT_EQ(check(coarse).key, "") << "without perspective there is no reciprocal";
+  Config divided = coarse;
+  divided.perspective = 1;
+  EXPECT_EQ(check(divided).key, "reciprocal_bits");
+  divided.reciprocal_bits = 17;
+  EXPECT_EQ(check(divided).key, "");
+}
+
+// Every legal configuration fits 64 bits, with room.
+TEST(Config, WidestOperandFitsALane) {
+  Random random(base_seed());
+  int narrow = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Config config = random_config(random);
+    EXPECT_LT(widest_operand_bits(config), 64);
+    narrow += lane_bits(config) == 32 ? 1 : 0;
+  }
+  EXPECT_GT(narrow, 20);
+}
+
+}  // namespace
+}  // namespace wrinkle

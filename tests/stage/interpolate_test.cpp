@@ -1,0 +1,152 @@
+// interpolate: exact modulo 2^width, in every lane; and, after set-up, within its bound of the exact planes.
+#include <cmath>
+
+#include "tests/stage/walk.h"
+
+namespace wrinkle {
+namespace {
+
+__extension__ using Int128 = __int128;
+
+// A packet of random planes over a random parallelogram: whatever the bits, the value is the contract's formula.
+TriangleWords random_packet(const Config& config, Random& random) {
+  TriangleWords t;
+  t.y = static_cast<int>(uniform(random, 0, 3));
+  t.rows = t.rows_end0 = static_cast<int>(uniform(random, 1, 10));
+  const std::int64_t start = uniform(random, 0, 2), length = uniform(random, 1, 14);
+  const std::int64_t denominator = uniform(random, 1, 50), carry = uniform(random, 0, denominator - 1);
+  const std::int64_t remainder = uniform(random, -denominator, -1);
+  t.start = {start, 0, remainder, carry, denominator};
+  t.end0 = {start + length, 0, remainder, carry, denominator};
+  for (const ComponentFormat& format : component_formats(config)) {
+    const std::int64_t limit = std::int64_t{1} << (format.width + config.guard_bits - 1);
+    auto& plane = t.planes[static_cast<std::size_t>(format.component)];
+    plane = {pattern(random, {-limit, limit - 1}), pattern(random, {-limit, limit - 1}),
+             pattern(random, {-limit, limit - 1})};
+  }
+  if (config.has_texture() && config.perspective == 0)
+    t.lod = static_cast<int>(uniform(random, 0, (16 << config.lod_fraction_bits()) - 1));
+  return t;
+}
+
+// The value of a plane at a pixel by the formula, in wide integers, w the walk coordinate.
+std::int64_t expected(const Config& config, const ComponentFormat& format, const TriangleWords& t, std::int64_t w,
+                      std::int64_t y) {
+  const PlaneWords& plane = t.planes[static_cast<std::size_t>(format.component)];
+  EdgeWords edge = t.start;  // the start of the row, and the carries on the way
+  Int128 value = plane.value;
+  for (std::int64_t row = t.y; row < y; ++row) {
+    edge.remainder += edge.remainder_step;
+    const bool carry = edge.remainder >= 0;
+    if (carry) edge.remainder -= edge.denominator;
+    edge.w += edge.step + carry;
+    value += Int128{plane.row} + (carry ? plane.dw : 0);
+  }
+  value += Int128{plane.dw} * (w - edge.w);
+  const int bits = format.width + config.guard_bits;
+  const auto wrapped = static_cast<std::uint64_t>(value) << (64 - bits);
+  const int down = 64 - format.width;
+  return format.is_signed ? static_cast<std::int64_t>(wrapped) >> down : static_cast<std::int64_t>(wrapped >> down);
+}
+
+std::int64_t got(const FragmentValues& values_of, const std::vector<Value>& list, Component component) {
+  static constexpr std::string_view kNames[] = {"n", "n", "n", "l", "l", "l", "h", "h", "h", "u", "v", "q", "lod", "z"};
+  static constexpr std::size_t kElements[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 0, 0, 0, 0};
+  const auto c = static_cast<std::size_t>(component);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].stage == "interpolate" && list[i].name == kNames[c]) return values_of[i][kElements[c]];
+  return 0;
+}
+
+TEST(Interpolate, IsTheFormulaModuloTheWidth) {
+  Random random(base_seed());
+  for (const auto& [name, config] : configurations(30)) {
+    SCOPED_TRACE(name);
+    const auto list = values(config);
+    const auto formats = component_formats(config);
+    Context context = make_context(config);
+    for (int round = 0; round < 12; ++round) {
+      const TriangleWords t = random_packet(config, random);
+      std::vector<std::uint64_t> words;
+      encode(config, DrawWords{}, words);
+      encode(config, t, words);
+      for (Lanes lanes : {Lanes::kSimd, Lanes::kChecked}) {
+        int count = 0;
+        const auto sink = [&](const auto& batch) {
+          FragmentValues all;
+          for (int i = 0; i < batch.count; ++i, ++count) {
+            extract(batch, i, all);
+            const auto x = batch.scan_x[0][static_cast<std::size_t>(i)],
+                       y = batch.scan_y[0][static_cast<std::size_t>(i)];
+            for (const ComponentFormat& format : formats)
+              ASSERT_EQ(got(all, list, format.component), expected(config, format, t, x, y))
+                  << "component " << static_cast<int>(format.component) << " at " << x << ' ' << y;
+            if (config.has_texture() && config.perspective == 0) {
+              ASSERT_EQ(got(all, list, Component::kLod), t.lod);
+            }
+          }
+        };
+        Golden(config, {}, lanes).draw(words, {sink, sink});
+        ASSERT_EQ(count, t.rows * static_cast<int>(t.end0.w - t.start.w));
+      }
+    }
+  }
+}
+
+TEST(Interpolate, AllTargetsAgree) {
+  Random random(base_seed());
+  for (const auto& [name, config] : configurations(6)) {
+    std::vector<std::uint64_t> words;
+    encode(config, DrawWords{}, words);
+    for (int i = 0; i < 40; ++i) encode(config, random_packet(config, random), words);
+    const auto draw = [&](Lanes lanes) {
+      std::vector<FragmentValues> all;
+      const auto sink = [&](const auto& batch) {
+        for (int i = 0; i < batch.count; ++i) extract(batch, i, all.emplace_back());
+      };
+      Golden(config, {}, lanes).draw(words, {sink, sink});
+      return all;
+    };
+    const auto scalar = draw(Lanes::kScalar);
+    for_each_target(
+        [&](const std::string& target) { ASSERT_EQ(draw(Lanes::kSimd), scalar) << name << ", " << target; });
+  }
+}
+
+// Half an LSB of the output; half a guard LSB for the corners, for the value and for every pixel and row stepped.
+TEST(Interpolate, StaysWithinItsBoundOfThePlanes) {
+  Worst worst("interpolate, share of 1/2 + (steps + 2) 2^-(G+1)", 1);
+  Worst lsb("interpolate at G = 10, 200 x 200 pixels, LSB", 0.5 + 402 * std::ldexp(1.0, -11));
+  Random random(base_seed());
+  const int size = 200;
+  for (int guard : {4, 10}) {
+    const Config config = with({{&Config::guard_bits, guard}});
+    for (int round = 0; round < 200; ++round) {
+      const ScreenTriangle triangle = random_triangle(config, random, size);
+      const Corners corners = sort_corners(config, triangle);
+      if (corners.area == 0) continue;
+      const exact::Barycentric barycentric(config, corners);
+      const exact::Attributes attributes(config, corners, DrawWords{});
+      const auto sink = [&](const auto& batch) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+          const auto x = static_cast<int>(batch.scan_x[0][i]), y = static_cast<int>(batch.scan_y[0][i]);
+          const exact::Interpolated want = attributes.at(barycentric.at(x, y));
+          const double steps = 2.0 * size, bound = 0.5 + (steps + 2) * std::ldexp(1.0, -guard - 1);
+          const auto see = [&](std::int64_t value, double exact, int bits) {
+            const double error = static_cast<double>(value) - std::ldexp(exact, bits);
+            worst.see(error / bound, "round " + std::to_string(round));
+            if (guard == 10) lsb.see(error);
+          };
+          see(batch.interpolate_n[0][i], want.n.x, config.vector_bits);
+          see(batch.interpolate_l[1][i], want.l.y, config.vector_bits);
+          see(batch.interpolate_h[2][i], want.h.z, config.vector_bits);
+          see(batch.interpolate_z[0][i], want.z, config.depth_bits);
+        }
+      };
+      Golden(config, {}).draw(packets_of(config, triangle, {}, {}, size), {sink, sink});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wrinkle
