@@ -15,7 +15,7 @@ namespace {
 
 struct Options {
   ConfigOptions config;
-  std::string scene = "fig6";
+  std::string scene = "patch_fig6";
   int runs = 5;
   std::filesystem::path json;
 };

@@ -90,6 +90,27 @@ Extreme mirrored_frame() {
   return extreme;
 }
 
+// Texture coordinates that give no direction: the tangents are finite unit vectors at right angles to the normal, or
+// the (1, 0, 0) that stands for none.
+Extreme degenerate_uv() {
+  Extreme extreme;
+  extreme.unit = "of 1";
+  extreme.bound = 1e-6;
+  const Vec3 N{0, 0, 1}, P[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  for (const auto& uv :
+       {std::array<Vec2, 3>{}, std::array<Vec2, 3>{{{0, 0}, {1, 1}, {2, 2}}},
+        std::array<Vec2, 3>{{{0.5, 0.5}, {0.5, 0.5}, {1, 0}}}, std::array<Vec2, 3>{{{0, 0}, {1e-30, 0}, {0, 1e-30}}}}) {
+    const std::vector<TangentCorner> corners{{P[0], N, uv[0]}, {P[1], N, uv[1]}, {P[2], N, uv[2]}};
+    for (const Tangent& tangent : generate_tangents(corners)) {
+      const std::string where = fmt::format("uv ({}, {}) ({}, {})", uv[0].x, uv[0].y, uv[1].x, uv[1].y);
+      extreme.measure(std::abs(length(tangent.T) - 1), where);
+      extreme.measure(std::abs(dot(tangent.T, N)), where);
+      extreme.measure(std::abs(std::abs(tangent.sign) - 1), where);
+    }
+  }
+  return extreme;
+}
+
 // |Pu| : |Pv| = 10^6 either way: the three coefficients are a unit vector, and are Blinn's normal in tangent space.
 Extreme stretched() {
   Extreme extreme;
@@ -116,8 +137,8 @@ Extreme hostile_numbers() {
   extreme.unit = "files";
   const auto path = std::filesystem::temp_directory_path() / fmt::format("wrinkle_extreme_{}.toml", getpid());
   for (const char* number : {"nan", "+inf", "-inf", "1e38", "-1e38", "\"1\""}) {
-    std::ofstream(path) << "width = 16\nheight = 16\n[light]\ndirection = [0.0, " << number
-                        << ", 1.0]\n[[object]]\nbuiltin = \"floor\"\n";
+    std::ofstream(path) << "name = \"hostile\"\nsize = [16, 16]\n[light]\ndirection = [0.0, " << number
+                        << ", 1.0]\n[[objects]]\nmesh = \"floor\"\n";
     bool refused = false;
     try {
       read_scene(path);
@@ -134,6 +155,7 @@ Extreme hostile_numbers() {
 
 std::vector<ExtremeEntry> host_extremes() {
   return {{29, "mirrored tangent frame", "", mirrored_frame},
+          {30, "degenerate texture coordinates", "", degenerate_uv},
           {31, "|Pu| : |Pv| = 10^6", "", stretched},
           {48, "NaN, infinities, 1e38 in a scene file", "", hostile_numbers}};
 }

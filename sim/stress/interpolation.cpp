@@ -12,23 +12,24 @@ namespace {
 
 using Corners = std::array<std::array<std::int32_t, 2>, 3>;
 
-// N.x, N.y, N.z at the corners, in LSB of s1.V: whole numbers, so that quantising them loses nothing.
-using CornerValues = std::array<std::array<std::int64_t, 3>, 3>;
+// z at the corners, in LSB of u0.Z: whole numbers, so that quantising them loses nothing. All components are
+// interpolated alike; z is the one that may have any value at every corner.
+using CornerValues = std::array<std::int64_t, 3>;
+// Set-up keeps z this clear of the ends of its format.
+constexpr std::int64_t kLow = 8, kTop = (1 << 20) - 1 - kLow;
 
 ScreenTriangle triangle_with(const Config& config, const Corners& corners, const CornerValues& values) {
   ScreenTriangle triangle = screen_triangle(corners);
-  const double lsb = std::ldexp(1.0, -config.vector_bits);
   for (std::size_t i = 0; i < 3; ++i) {
-    triangle.v[i].N = {lsb * double(values[i][0]), lsb * double(values[i][1]), lsb * double(values[i][2])};
-    triangle.v[i].L = triangle.v[i].H = {0, 0, 1};
-    triangle.v[i].z = 0.5;
+    triangle.v[i].N = triangle.v[i].L = triangle.v[i].H = {0, 0, 1};
+    triangle.v[i].z = std::ldexp(double(values[i]), -config.depth_bits);
   }
   return triangle;
 }
 
 // The plane through the corners at a pixel centre, in LSB.
-double plane_at(const Config& config, const Corners& t, const CornerValues& values, std::size_t element,
-                const FragmentValues& fragment, const Stimulus& stimulus) {
+double plane_at(const Config& config, const Corners& t, const CornerValues& values, const FragmentValues& fragment,
+                const Stimulus& stimulus) {
   const double one = std::ldexp(1.0, config.subpixel_bits);
   const double x = (double(fragment[stimulus.index("scan", "x")][0]) + 0.5) * one;
   const double y = (double(fragment[stimulus.index("scan", "y")][0]) + 0.5) * one;
@@ -38,7 +39,7 @@ double plane_at(const Config& config, const Corners& t, const CornerValues& valu
   const double whole = area(t[0][0], t[0][1], t[1][0], t[1][1], t[2][0], t[2][1]);
   const double a = area(x, y, t[1][0], t[1][1], t[2][0], t[2][1]) / whole;
   const double b = area(t[0][0], t[0][1], x, y, t[2][0], t[2][1]) / whole;
-  return a * double(values[0][element]) + b * double(values[1][element]) + (1 - a - b) * double(values[2][element]);
+  return a * double(values[0]) + b * double(values[1]) + (1 - a - b) * double(values[2]);
 }
 
 // Worst distance from the plane over all fragments, in LSB.
@@ -47,12 +48,11 @@ void measure_plane(Extreme& extreme, const Config& config, const Corners& corner
   Stimulus stimulus(config);
   stimulus.add_draw({});
   stimulus.add(triangle_with(config, corners, values), width, height);
-  const std::size_t n = stimulus.index("interpolate", "n");
+  const std::size_t z = stimulus.index("interpolate", "z");
   for (const FragmentValues& f : stimulus.golden())
-    for (std::size_t e = 0; e < 3; ++e)
-      extreme.measure(std::abs(double(f[n][e]) - plane_at(config, corners, values, e, f, stimulus)),
-                      fmt::format("({},{}) ({},{}) ({},{})", corners[0][0], corners[0][1], corners[1][0], corners[1][1],
-                                  corners[2][0], corners[2][1]));
+    extreme.measure(std::abs(double(f[z][0]) - plane_at(config, corners, values, f, stimulus)),
+                    fmt::format("({},{}) ({},{}) ({},{})", corners[0][0], corners[0][1], corners[1][0], corners[1][1],
+                                corners[2][0], corners[2][1]));
   extreme.stimuli.push_back(std::move(stimulus));
 }
 
@@ -63,20 +63,21 @@ Extreme measured_in_lsb(double bound) {
   return extreme;
 }
 
-// Half an LSB of rounding, and half an LSB of the gradient for each pixel stepped.
-double drift_bound(const Config& config, int steps) { return 0.5 + steps * std::ldexp(1.0, -(config.guard_bits + 1)); }
+// Half an LSB of rounding, and half an LSB of the gradient for the anchor and each pixel stepped.
+double drift_bound(const Config& config, int steps) {
+  return 0.5 + (steps + 1) * std::ldexp(1.0, -(config.guard_bits + 1));
+}
 
 Extreme gradient_zero() {
   Extreme extreme = measured_in_lsb(0);
-  for (std::int64_t v : {-2048, -1, 0, 1, 777, 2047})
-    measure_plane(extreme, stress_config(), {{{3, 7}, {9000, 900}, {500, 8000}}},
-                  {{{v, -v / 2, 5}, {v, -v / 2, 5}, {v, -v / 2, 5}}}, 40, 40);
+  for (std::int64_t v : {kLow, kLow + 1, std::int64_t{777777}, kTop - 1, kTop})
+    measure_plane(extreme, stress_config(), {{{3, 7}, {9000, 900}, {500, 8000}}}, {v, v, v}, 40, 40);
   return extreme;
 }
 
 Extreme gradient_maximum() {
   Extreme extreme = measured_in_lsb(drift_bound(stress_config(), 80));
-  const CornerValues steep{{{-2048, 2047, 0}, {2047, -2048, 2047}, {-2048, -2048, 2047}}};
+  const CornerValues steep{kLow, kTop, kLow + 1};
   for (const Corners& t : {Corners{{{0, 0}, {300, 0}, {0, 10000}}}, Corners{{{0, 0}, {10000, 40}, {9000, 300}}},
                            Corners{{{0, 128}, {257, 127}, {130, 640}}}, Corners{{{0, 0}, {10000, 0}, {0, 10000}}}})
     measure_plane(extreme, stress_config(), t, steep, 40, 40);
@@ -113,12 +114,9 @@ Extreme drift() {
   const Config config = stress_config_wide();
   Extreme extreme = measured_in_lsb(drift_bound(config, 4096 + 2));
   const int end = 4096 * 256;
-  measure_plane(extreme, config, {{{0, 0}, {end, 0}, {0, 512}}}, {{{-2048, 1, 0}, {2047, 2, 1}, {1, -1000, 2}}}, 4096,
-                2);
-  measure_plane(extreme, config, {{{end, 0}, {end, 512}, {0, 512}}}, {{{-1, 1, 3}, {2046, 2, 7}, {1, -1001, 2}}}, 4096,
-                2);
-  measure_plane(extreme, config, {{{0, 0}, {512, 0}, {0, end}}}, {{{-2048, 1, 0}, {2047, 2, 1}, {1, -1000, 2}}}, 2,
-                4096);
+  measure_plane(extreme, config, {{{0, 0}, {end, 0}, {0, 512}}}, {kLow, kTop, kLow + 1}, 4096, 2);
+  measure_plane(extreme, config, {{{end, 0}, {end, 512}, {0, 512}}}, {kTop - 5, 77, 300003}, 4096, 2);
+  measure_plane(extreme, config, {{{0, 0}, {512, 0}, {0, end}}}, {kLow + 3, kLow, kTop}, 2, 4096);
   return extreme;
 }
 
@@ -127,11 +125,10 @@ Extreme shared_edge() {
   const Config config = stress_config();
   Extreme extreme = measured_in_lsb(2 * drift_bound(config, 64));
   const Corners one{{{-300, -200}, {8500, 400}, {100, 8100}}}, two{{{8500, 400}, {8900, 8700}, {100, 8100}}};
-  // N.x = (3 x - 5 y) / 64 and so on: whole at every corner.
+  // 13 x - 17 y and an offset: whole at every corner.
   const auto values = [](const Corners& t) {
     CornerValues v;
-    for (std::size_t i = 0; i < 3; ++i)
-      v[i] = {(3 * t[i][0] - 5 * t[i][1]) / 20 - 100, (t[i][0] + t[i][1]) / 10, (7 * t[i][1]) / 50};
+    for (std::size_t i = 0; i < 3; ++i) v[i] = 13 * t[i][0] - 17 * t[i][1] + 300000;
     return v;
   };
   Stimulus stimulus(config);
@@ -146,7 +143,7 @@ Extreme shared_edge() {
     const FragmentValues& f = fragments[i];
     error[{f[stimulus.index("scan", "y")][0], f[stimulus.index("scan", "x")][0]}] = {
         owners[i],
-        double(f[stimulus.index("interpolate", "n")][0]) - plane_at(config, corners, values(corners), 0, f, stimulus)};
+        double(f[stimulus.index("interpolate", "z")][0]) - plane_at(config, corners, values(corners), f, stimulus)};
   }
   for (const auto& [pixel, mine] : error) {
     const auto right = error.find({pixel.first, pixel.second + 1});
@@ -161,13 +158,12 @@ Extreme shared_edge() {
 Extreme rotated() {
   Extreme extreme = measured_in_lsb(0);
   std::mt19937 random(18);
-  std::uniform_int_distribution<int> at(-2000, 10000), value(-2048, 2047);
+  std::uniform_int_distribution<int> at(-2000, 10000), value{int{kLow}, int{kTop}};
   std::vector<Stimulus> turns(3, Stimulus(stress_config()));
   for (Stimulus& turn : turns) turn.add_draw({});
   for (int i = 0; i < 30; ++i) {
     const Corners corners{{{at(random), at(random)}, {at(random), at(random)}, {at(random), at(random)}}};
-    CornerValues values;
-    for (auto& v : values) v = {value(random), value(random), value(random)};
+    const CornerValues values{value(random), value(random), value(random)};
     ScreenTriangle triangle = triangle_with(stress_config(), corners, values);
     for (Stimulus& turn : turns) {
       turn.add(triangle, 32, 32);
@@ -178,10 +174,9 @@ Extreme rotated() {
   for (std::size_t k = 1; k < 3; ++k) {
     const auto other = turns[k].golden();
     extreme.measure(std::abs(double(first.size()) - double(other.size())), "number of fragments");
-    const std::size_t n = turns[k].index("interpolate", "n");
+    const std::size_t z = turns[k].index("interpolate", "z");
     for (std::size_t i = 0; i < std::min(first.size(), other.size()); ++i)
-      for (std::size_t e = 0; e < 3; ++e)
-        extreme.measure(double(std::abs(first[i][n][e] - other[i][n][e])), fmt::format("fragment {}", i));
+      extreme.measure(double(std::abs(first[i][z][0] - other[i][z][0])), fmt::format("fragment {}", i));
   }
   extreme.stimuli = std::move(turns);
   return extreme;
