@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
-#include <set>
+#include <random>
 
 #include "golden/exact/exact.h"
 #include "golden/texel/height.h"
@@ -79,6 +79,7 @@ TEST(Frame, ProjectsAndSnapsToTheGrid) {
   }
   scene.camera.world_to_eye = translation({0.49 / 256 * 2 / kSize, 0.51 / 256 * 2 / kSize, -5});
   const Frame moved = build_frame(config, scene);
+  ASSERT_EQ(moved.draws[0].triangles.size(), 2u);
   EXPECT_EQ(moved.draws[0].triangles[0].v[0].x, frame.draws[0].triangles[0].v[0].x);
   EXPECT_EQ(moved.draws[0].triangles[0].v[0].y, frame.draws[0].triangles[0].v[0].y - 1);
 }
@@ -95,13 +96,48 @@ TEST(Frame, CullsBacksUnlessDoubleSided) {
   }
 }
 
+// Those that are culled count too: an id names a triangle of the mesh.
 TEST(Frame, CountsTrianglesOverTheFrame) {
-  Scene scene = scene_of(object_of(tessellate(make_rectangle(), 2, 2)));
+  Scene scene = scene_of(object_of(tessellate(make_cube(), 1, 1)));
+  scene.objects[0].to_world = rotation({1, 0, 0}, std::numbers::pi / 2);  // the lid, face 4, to the front
   scene.objects.push_back(scene.objects[0]);
   const Frame frame = build_frame({}, scene);
-  EXPECT_EQ(frame.draws[0].triangles.front().id, 0u);
-  EXPECT_EQ(frame.draws[1].triangles.front().id, 8u);
-  EXPECT_EQ(frame.draws[1].triangles.back().id, 15u);
+  ASSERT_EQ(frame.draws[0].triangles.size(), 2u);
+  ASSERT_EQ(frame.draws[1].triangles.size(), 2u);
+  EXPECT_EQ(frame.draws[0].triangles[0].id, 8u);
+  EXPECT_EQ(frame.draws[0].triangles[1].id, 9u);
+  EXPECT_EQ(frame.draws[1].triangles[0].id, 12u + 8u);
+}
+
+// Triangles of the size of the grid: snapping flattens some and turns some over; those left all turn as before.
+TEST(Frame, SnappingTurnsNothingOver) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> position(-2.0 / kSize / 256, 2.0 / kSize / 256);
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    Vertex v;
+    v.P = {position(random), position(random), 0};
+    v.N = {0, 0, 1}, v.T = {1, 0, 0};
+    mesh.vertices.push_back(v);
+    if (i % 3 == 2) mesh.triangles.push_back({i - 2, i - 1, i});
+  }
+  const Frame frame = build_frame({}, scene_of(object_of(mesh)));
+  EXPECT_GT(frame.draws[0].triangles.size(), 100u);
+  EXPECT_LT(frame.draws[0].triangles.size(), 500u);  // half face away
+  for (const ScreenTriangle& t : frame.draws[0].triangles) {
+    const auto &a = t.v[0], &b = t.v[1], &c = t.v[2];
+    ASSERT_LT((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y), 0);
+  }
+}
+
+// A vertex without a usable tangent still has a frame [extremes 30].
+TEST(Frame, Extreme30NoTangent) {
+  for (const Vec3 T : {Vec3{}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
+    const TangentFrame f = tangent_frame({{}, {0, 0, 1}, T, 1, {}, {}}, {});
+    EXPECT_NEAR(length(f.T), 1, 1e-12);
+    EXPECT_NEAR(dot(f.T, f.N), 0, 1e-12);
+    EXPECT_NEAR(dot(cross(f.N, f.T), f.B), 1, 1e-12);
+  }
 }
 
 TEST(Frame, AMirroringMatrixDrawsTheSameSide) {
@@ -170,6 +206,7 @@ TEST(Frame, LightAndViewerNearAndFar) {
       const Frame frame = build_frame({}, scene);
       EXPECT_EQ(frame.ideal.eye_at_infinity, viewer_far);
       EXPECT_EQ(frame.ideal.light_at_infinity, light_far);
+      ASSERT_FALSE(frame.draws[0].triangles.empty());
       const ScreenVertex& v = frame.draws[0].triangles[0].v[0];
       const Vec3 L = normalize(light_far ? Vec3{0, 3, 4} : Vec3{0, 3, 4} - v.P);
       const Vec3 V = viewer_far ? Vec3{0, 0, 1} : normalize(Vec3{0, 0, 5} - v.P);
