@@ -51,11 +51,10 @@ inline double level(double rho_squared, double lowest, double highest) {
 class Attributes {
  public:
   Attributes(const Config& config, const Corners& corners, const DrawWords& draw) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const ScreenVertex& vertex = *corners.v[i];
-      n_[i] = vertex.N, l_[i] = vertex.L, h_[i] = vertex.H;
-      z_[i] = depth_in_format(config, vertex.z);
-    }
+    n_ = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
+    l_ = vector_corners(config, corners, &ScreenVertex::L, config.normalizer_l);
+    h_ = vector_corners(config, corners, &ScreenVertex::H, config.normalizer_h);
+    for (std::size_t i = 0; i < 3; ++i) z_[i] = depth_in_format(config, corners.v[i]->z);
     if (!draw.textured) return;
     const TextureCorners texture = texture_corners(config, corners, draw);
     u_ = texture.u, v_ = texture.v, q_ = texture.q;

@@ -48,6 +48,17 @@ void reduce(const Config& config, int wrap, const char* name, std::array<double,
   for (double& value : values) value -= repeats;
 }
 
+double largest_q(const Corners& corners) {
+  double largest = 0;
+  for (const ScreenVertex* vertex : corners.v) {
+    if (!(vertex->q > 0) || !std::isfinite(vertex->q)) throw std::invalid_argument("1/w is not positive and finite");
+    largest = std::max(largest, vertex->q);
+  }
+  return largest;
+}
+
+constexpr double kSmallestVectorScale = 1.0 / 16;
+
 }  // namespace
 
 std::int64_t interpolation_margin(const Config& config, int width) {
@@ -86,16 +97,24 @@ TextureCorners texture_corners(const Config& config, const Corners& corners, con
 
   const double one = std::ldexp(1.0, config.q_bits);
   const auto margin = static_cast<double>(interpolation_margin(config, config.q_bits));
-  double largest = 0;
-  for (const ScreenVertex* vertex : corners.v) {
-    if (!(vertex->q > 0) || !std::isfinite(vertex->q)) throw std::invalid_argument("1/w is not positive and finite");
-    largest = std::max(largest, vertex->q);
-  }
+  const double largest = largest_q(corners);
   for (std::size_t i = 0; i < 3; ++i) {
     // A q below the margin could be carried below zero; it is some 2^-Q of the largest, far beyond the resolution.
     texture.q[i] = std::max(corners.v[i]->q / largest * (1 - margin / one), margin / one);
   }
   return texture;
+}
+
+std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners, Vec3 ScreenVertex::*member,
+                                   int normalizer) {
+  std::array<Vec3, 3> vectors;
+  for (std::size_t i = 0; i < 3; ++i) vectors[i] = corners.v[i]->*member;
+  if (config.perspective == 0 || normalizer == static_cast<int>(Normalizer::kNone)) return vectors;
+  const double largest = largest_q(corners);
+  for (std::size_t i = 0; i < 3; ++i) {
+    vectors[i] = std::max(corners.v[i]->q / largest, kSmallestVectorScale) * vectors[i];
+  }
+  return vectors;
 }
 
 }  // namespace wrinkle

@@ -28,6 +28,13 @@ struct TextureCorners {
 };
 TextureCorners texture_corners(const Config& config, const Corners& corners, const DrawWords& draw);
 
+// N, L or H at the corners as the hardware gets them. Where `perspective` is on and a normalizer follows, each is
+// scaled by its q, relative to the largest of the triangle: the direction of a linearly interpolated q V is that of the
+// perspective-correct V, and the normalizer takes the length away, so the hardware pays nothing. The scale is at least
+// 2^-4, beyond which short vectors would cost more in precision than the correction gains.
+std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners, Vec3 ScreenVertex::*member,
+                                   int normalizer);
+
 // LSBs that an unsigned or cyclic component keeps clear of both ends of its format: the accumulated error of the
 // interpolator over a whole screen, at most 2^(X - G) LSB, must not carry it round.
 std::int64_t interpolation_margin(const Config& config, int width);

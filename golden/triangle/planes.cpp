@@ -41,9 +41,9 @@ std::int64_t denominator(const Corners& corners) { return corners.area < 0 ? -co
 class Attributes {
  public:
   Attributes(const Config& config, const Corners& corners, const DrawWords& draw) : config_(config), corners_(corners) {
-    vector(Component::kNx, &ScreenVertex::N);
-    vector(Component::kLx, &ScreenVertex::L);
-    if (config.has_halfangle()) vector(Component::kHx, &ScreenVertex::H);
+    vector(Component::kNx, &ScreenVertex::N, config.normalizer_n);
+    vector(Component::kLx, &ScreenVertex::L, config.normalizer_l);
+    if (config.has_halfangle()) vector(Component::kHx, &ScreenVertex::H, config.normalizer_h);
     for (std::size_t i = 0; i < 3; ++i) values_[at(Component::kZ)][i] = depth_in_format(config, corners.v[i]->z);
     // What no texel is fetched for need not fit.
     if (draw.textured) {
@@ -60,9 +60,10 @@ class Attributes {
  private:
   static std::size_t at(Component component) { return static_cast<std::size_t>(component); }
 
-  void vector(Component x, Vec3 ScreenVertex::*member) {
+  void vector(Component x, Vec3 ScreenVertex::*member, int normalizer) {
+    const std::array<Vec3, 3> vectors = vector_corners(config_, corners_, member, normalizer);
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3& value = corners_.v[i]->*member;
+      const Vec3& value = vectors[i];
       if (!(length(value) < 1.5)) throw std::invalid_argument("a vector at a vertex is not of unit length");
       values_[at(x)][i] = value.x;
       values_[at(x) + 1][i] = value.y;
