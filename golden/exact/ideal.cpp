@@ -26,7 +26,9 @@ void shade_surface(const exact::DrawContext& context, const IdealScene& ideal, c
   fragment.n = point.N;
   if (context.words.bump && height != nullptr && length(cross(point.Pu, point.Pv)) > 0) {
     const Vec2 slope = height->gradient(parameter.x, parameter.y);
-    fragment.n = perturbed_normal_blinn(point.Pu, point.Pv, slope.x, slope.y);
+    const Vec3 perturbed = perturbed_normal_blinn(point.Pu, point.Pv, slope.x, slope.y);
+    // The side that is seen may be the one that Pu x Pv points away from.
+    fragment.n = dot(point.N, cross(point.Pu, point.Pv)) < 0 ? -perturbed : perturbed;
   }
   fragment.l = towards(point.P, ideal.light, ideal.light_at_infinity);
   fragment.h = normalize(fragment.l + towards(point.P, ideal.eye, ideal.eye_at_infinity));

@@ -49,6 +49,16 @@ class WorldSurfaces {
   std::vector<std::shared_ptr<const Surface>> front_, back_;
 };
 
+// A height field seen in a mirror: up is along Pu x Pv no more, but against it.
+class MirroredHeight : public HeightField {
+ public:
+  explicit MirroredHeight(std::shared_ptr<const HeightField> height) : height_(std::move(height)) {}
+  Vec2 gradient(double u, double v) const override { return -1.0 * height_->gradient(u, v); }
+
+ private:
+  std::shared_ptr<const HeightField> height_;
+};
+
 // How a triangle is seen.
 struct Facing {
   bool clockwise = false;  // on the screen
@@ -140,11 +150,12 @@ std::vector<ClipVertex> FrameBuilder::shade(const Object& object, bool tangent_s
 void FrameBuilder::add(const Object& object) {
   Draw draw;
   draw.state = state_of(object);
-  frame_.ideal.height.push_back(object.height);
   const std::vector<ClipVertex> vertices = shade(object, draw.state.bump);
   const WorldSurfaces surfaces(object);
   // A matrix that mirrors turns all windings round.
   const bool mirrored = determinant3(object.to_world) < 0;
+  frame_.ideal.height.push_back(mirrored && object.height ? std::make_shared<MirroredHeight>(object.height)
+                                                          : object.height);
   for (std::size_t i = 0; i < object.mesh.triangles.size(); ++i) {
     const auto& t = object.mesh.triangles[i];
     const std::array corners{&vertices[t[0]], &vertices[t[1]], &vertices[t[2]]};

@@ -428,6 +428,29 @@ TEST(Frame, BackOfABumpIsADent) {
   EXPECT_GT(at(-16), at(0) + 0.1);
 }
 
+// The ideal picture is of the same side and the same bumps: plain, in a mirror, from behind, and both.
+TEST(Frame, IdealSeesMirroredAndBackSidesAsTheDatapathDoes) {
+  const Grid<double> height = pinwheel(256, 0.02);
+  const auto patch = stretched_patch();
+  for (const bool mirror : {false, true}) {
+    for (const bool back : {false, true}) {
+      Object object = bumped(tessellate({patch}, 16, 16), normal_map(height, *patch));
+      object.height = std::make_shared<SampledHeightField>(height);
+      object.double_sided = true;
+      object.to_world = rotation({0, 1, 0}, back ? std::numbers::pi : 0) * scaling({mirror ? -1.0 : 1.0, 1, 1});
+      Scene scene = scene_of(std::move(object));
+      scene.width = scene.height = 256;
+      const Frame frame = build_frame({}, scene);
+      std::map<std::pair<int, int>, double> exact;
+      draw_exact({}, frame, [&](const ExactFragment& f) { exact[{f.x, f.y}] = f.nl; });
+      double sum = 0;
+      draw_ideal({}, frame, [&](const ExactFragment& f) { sum += std::pow(f.nl - exact.at({f.x, f.y}), 2); });
+      ASSERT_GT(exact.size(), 10000u);
+      EXPECT_LT(std::sqrt(sum / static_cast<double>(exact.size())), 0.02) << mirror << back;
+    }
+  }
+}
+
 TEST(Frame, AHundredThousandTrianglesTakeLessThanASecond) {
   const Scene scene = scene_of(object_of(tessellate({std::make_shared<Torus>(0.6, 0.3)}, 256, 200)));
   const auto start = std::chrono::steady_clock::now();
