@@ -127,6 +127,22 @@ TEST(Exact, ShadowsItself) {
   EXPECT_NEAR(diffuse(-0.05), nl(-0.05), 1e-7);
 }
 
+// The highlight of a bump that faces away from the light, on a surface that does not.
+TEST(Exact, WithoutDiffuseLightThereIsNoHighlight) {
+  Config config;
+  DrawState state;
+  state.bump = state.textured = state.shadow = true;
+  Frame frame = one_triangle(state);
+  add_texture(frame, {-0.8, 0, 0.6}, {1, 1, 1});
+  for (ScreenVertex& v : frame.draws[0].triangles[0].v) v.L = {0.8, 0, 0.6}, v.H = {0, 0, 1};
+  const ExactFragment f = fragments(config, frame).at(0);
+  EXPECT_EQ(f.nl, 0);
+  EXPECT_GT(f.nh, 0.5);
+  EXPECT_EQ(f.specular, 0);
+  frame.draws[0].state.shadow = false;
+  EXPECT_GT(fragments(config, frame).at(0).specular, 0);
+}
+
 TEST(Extremes, E19_OpposedVectorsMeetInZero) {
   Frame frame = one_triangle({});
   frame.draws[0].triangles[0] = triangle({128, 128}, {128 + 2 * 256, 128}, {128, 3000});

@@ -94,6 +94,34 @@ TEST(SetUp, PlanesKeepTheirBoundOnRandomTriangles) {
   EXPECT_GT(worst.pixels, 1'000'000);
 }
 
+// Vectors scaled by 1/w: the interpolated direction is that of the perspective-correct vector.
+TEST(SetUp, VectorsFollowThePerspective) {
+  Config config;
+  config.perspective = 1;
+  ScreenTriangle t = triangle({100, 100}, {60000, 300}, {500, 62000});
+  t.v[0].q = 2, t.v[1].q = 0.5, t.v[2].q = 1;
+  t.v[0].L = {0.6, 0, 0.8}, t.v[1].L = {0, 0.6, 0.8}, t.v[2].L = {-0.8, 0, 0.6};
+  const ComponentFormat format{Component::kLx, config.vector_width(), config.vector_bits, true};
+  double worst = 0;
+  for (const TriangleWords& packet : set_up(config, t, bumped(), 256, 256)) {
+    walk(packet, [&](const Visit& visit) {
+      Vec3 expected;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::array<std::int64_t, 3> unit{k == 0, k == 1, k == 2};
+        const Rational r = plane_at(config, t, unit, visit.x, visit.y);
+        expected =
+            expected + static_cast<double>(r.numerator) / static_cast<double>(r.denominator) * t.v[k].q * t.v[k].L;
+      }
+      const auto value = [&](std::size_t i) {
+        return static_cast<double>(code(config, format, visit.accumulator[at(Component::kLx) + i]));
+      };
+      worst = std::max(worst, length(normalize(Vec3{value(0), value(1), value(2)}) - normalize(expected)));
+    });
+  }
+  EXPECT_LT(worst, 0.01);  // half an LSB of 2^-10 on each component of a vector of length 1/4 and more
+  EXPECT_GT(worst, 0);
+}
+
 TEST(SetUp, OneRowHasNoStep) {
   const Config config;
   const auto packets = set_up(config, triangle({0, 0}, {200000, 100}, {3, 300}), bumped(), 1024, 1024);
