@@ -55,6 +55,7 @@ void interpolate_plane(const L& l, const Plane& plane, const Spans<typename L::I
   const auto store = [&](typename L::V sum, int i) HWY_ATTR {
     l.store(kIsSigned ? l.sar_modular(sum, shift) : l.shr_modular(sum, shift), out + i);
   };
+  const int log2_size = std::countr_zero(static_cast<unsigned>(l.size()));
   const int span_count = spans.count;
   for (int s = 0; s < span_count; ++s) {
     const auto& span = spans.span[static_cast<std::size_t>(s)];
@@ -64,7 +65,7 @@ void interpolate_plane(const L& l, const Plane& plane, const Spans<typename L::I
     const int end = i + span.count;
     store(sum, i);
     for (i += l.size(); i < end; i += l.size()) {
-      sum = l.add_modular(sum, l.mul_modular(dw, l.set(l.size())));
+      sum = l.add_modular(sum, l.shl_modular(dw, log2_size));
       store(sum, i);
     }
   }

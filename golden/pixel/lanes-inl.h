@@ -3,7 +3,8 @@
 //
 //   add sub mul shl sar ...     exact: the result must fit the lane, which CheckedLanes verifies
 //   mul_half                    the same, for operands of half a lane: a signed, b at least 0 and below 2^(lane/2 - 1)
-//   add_modular mul_modular     modulo 2^lane, for accumulators kept left-aligned
+//   weigh15 weigh16             p (2^n - w) + q w, for p and q of 15 or 16 bits, unsigned, and w of weights(w, n) at
+//   most 2^n add_modular mul_modular     modulo 2^lane, for accumulators kept left-aligned
 //
 // `n` of a shift is the same for all lanes; shl_each and sar_each take one count a lane.
 #if defined(GOLDEN_PIXEL_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -60,6 +61,13 @@ struct ScalarLanes {
     }
     return checked(a * b);
   }
+  V weights(V w, int) const { return w; }
+  V weigh15(V p, V q, V w, int n) const {
+    return add(shl(unsigned_below(p, 15), n), mul(unsigned_below(q, 15) - p, w));
+  }
+  V weigh16(V p, V q, V w, int n) const {
+    return add(shl(unsigned_below(p, 16), n), mul(unsigned_below(q, 16) - p, w));
+  }
   V add_modular(V a, V b) const { return wrap(unsigned_of(a) + unsigned_of(b)); }
   V mul_modular(V a, V b) const { return wrap(unsigned_of(a) * unsigned_of(b)); }
   V shl_modular(V a, int n) const { return wrap(unsigned_of(a) << n); }
@@ -71,6 +79,7 @@ struct ScalarLanes {
   V sar_each(V a, V n) const { return a >> n; }
   V min(V a, V b) const { return std::min(a, b); }
   V max(V a, V b) const { return std::max(a, b); }
+  V abs(V a) const { return checked(a < 0 ? -a : a); }
   V and_(V a, V b) const { return a & b; }
   V or_(V a, V b) const { return a | b; }
   V xor_(V a, V b) const { return a ^ b; }
@@ -88,6 +97,12 @@ struct ScalarLanes {
   V high_half(const std::uint64_t* p) const { return static_cast<V>(*p >> 32); }
 
  private:
+  static V unsigned_below(V v, int half_bits) {
+    if constexpr (kIsChecked) {
+      if (v >> half_bits != 0) throw std::logic_error("an operand leaves its half of the lane");
+    }
+    return v;
+  }
   static std::uint64_t unsigned_of(V v) { return static_cast<std::uint64_t>(v); }
   static V wrap(std::uint64_t v) { return static_cast<V>(v); }
 };
@@ -105,6 +120,8 @@ struct SimdLanes {
   static constexpr bool kShiftsEach =
       HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL || (HWY_TARGET == HWY_AVX2 && sizeof(T) == 4);
 
+  static constexpr bool kHasPairs = HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && sizeof(T) == 4;
+
   static int size() { return static_cast<int>(hn::Lanes(D())); }
 
   HWY_INLINE V set(Int x) const { return hn::Set(D(), x); }
@@ -116,20 +133,32 @@ struct SimdLanes {
   HWY_INLINE V sub(V a, V b) const { return hn::Sub(a, b); }
   HWY_INLINE V mul(V a, V b) const { return hn::Mul(a, b); }
   HWY_INLINE V mul_half(V a, V b) const {
-#if HWY_TARGET <= HWY_SSSE3 && HWY_ARCH_X86
     // One multiplication of 16-bit pairs, or of 32-bit even lanes, where a full one takes two or three. The high half
     // of b is 0, so that of a adds nothing.
-    if constexpr (sizeof(T) == 4) {
-      const hn::Repartition<std::int16_t, D> halves;
-      auto none = hn::Zero(D());
-      return hn::ReorderWidenMulAccumulate(D(), hn::BitCast(halves, a), hn::BitCast(halves, b), none, none);
-    } else {
+    if constexpr (kHasPairs) return sum_of_pairs(a, b);
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (kBits == 64) {
       const hn::Repartition<std::int32_t, D> halves;
       return hn::MulEven(hn::BitCast(halves, a), hn::BitCast(halves, b));
     }
-#else
-    return hn::Mul(a, b);
 #endif
+    return hn::Mul(a, b);
+  }
+  // Products of 16-bit pairs sum two by two: the pair (p, q) with the pair (2^n - w, w). 16 bits become signed by
+  // taking 2^15 off both, which takes 2^(15+n) off the result.
+  HWY_INLINE V weights(V w, int n) const {
+    if constexpr (!kHasPairs) return w;
+    return hn::Or(hn::Sub(set(T{1} << n), w), hn::ShiftLeft<16>(w));
+  }
+  HWY_INLINE V weigh15(V p, V q, V w, int n) const {
+    if constexpr (!kHasPairs) return hn::Add(shl(p, n), mul_half(hn::Sub(q, p), w));
+    return sum_of_pairs(hn::Or(p, hn::ShiftLeft<16>(q)), w);
+  }
+  HWY_INLINE V weigh16(V p, V q, V w, int n) const {
+    if constexpr (kBits == 64) return weigh15(p, q, w, n);
+    if constexpr (!kHasPairs) return hn::Add(shl(p, n), mul(hn::Sub(q, p), w));
+    const V pair = hn::Xor(hn::Or(p, hn::ShiftLeft<16>(q)), set(static_cast<T>(0x80008000)));
+    return hn::Add(sum_of_pairs(pair, w), set(T{0x8000} << n));
   }
   HWY_INLINE V add_modular(V a, V b) const { return hn::Add(a, b); }
   HWY_INLINE V mul_modular(V a, V b) const { return hn::Mul(a, b); }
@@ -148,6 +177,10 @@ struct SimdLanes {
   HWY_INLINE V sar_each(V a, V n) const { return hn::Shr(a, n); }
   HWY_INLINE V min(V a, V b) const { return hn::Min(a, b); }
   HWY_INLINE V max(V a, V b) const { return hn::Max(a, b); }
+  HWY_INLINE V abs(V a) const {
+    if constexpr (kBits == 32) return hn::Abs(a);
+    return hn::Max(a, hn::Neg(a));
+  }
   HWY_INLINE V and_(V a, V b) const { return hn::And(a, b); }
   HWY_INLINE V or_(V a, V b) const { return hn::Or(a, b); }
   HWY_INLINE V xor_(V a, V b) const { return hn::Xor(a, b); }
@@ -205,6 +238,19 @@ struct SimdLanes {
       return shr_modular(load(reinterpret_cast<const T*>(p)), 32);
     }
 #endif
+  }
+
+ private:
+  // a.low * b.low + a.high * b.high of signed 16-bit halves; only where kHasPairs.
+  HWY_INLINE V sum_of_pairs(V a, V b) const {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (kHasPairs) {
+      const hn::Repartition<std::int16_t, D> halves;
+      auto none = hn::Zero(D());
+      return hn::ReorderWidenMulAccumulate(D(), hn::BitCast(halves, a), hn::BitCast(halves, b), none, none);
+    }
+#endif
+    return hn::Mul(a, b);
   }
 };
 

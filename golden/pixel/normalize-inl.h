@@ -20,7 +20,7 @@ struct Triple {
 };
 
 // rsqrt() of golden/pixel/rsqrt.h, lane by lane.
-template <class L>
+template <bool kIsSmall, class L>
 HWY_INLINE typename L::V rsqrt(const L& l, const Constants<typename L::Int>& c, typename L::V t) {
   const RsqrtGeometry& g = c.rsqrt;
   const int n = g.offset_bits(), k = g.segment_bits;
@@ -28,20 +28,20 @@ HWY_INLINE typename L::V rsqrt(const L& l, const Constants<typename L::Int>& c, 
   const auto x = l.select(l.equal(half, l.set(0)), l.shl(t, 1), t);
   const auto index = l.or_(l.shl(half, k), l.and_(l.sar(x, n), l.set((1 << k) - 1)));
   const auto dx = l.and_(x, l.set((1 << n) - 1));
-  const auto segment = k < 5 ? l.lookup32(c.rsqrt_table, index) : l.lookup(c.rsqrt_table, index);
+  const auto segment = kIsSmall ? l.lookup32(c.rsqrt_table, index) : l.lookup(c.rsqrt_table, index);
   const auto base = l.add(l.shr_modular(segment, kSlopeBits), l.set(1 << (g.output_bits + g.guard_bits)));
   const auto slope = l.and_(segment, l.set((1 << kSlopeBits) - 1));
   const auto r = l.sar(l.sub(l.shl(base, n), l.mul_half(slope, dx)), n + g.guard_bits);
   return l.min(r, l.set((2 << g.output_bits) - 1));
 }
 
-template <class L>
+template <bool kIsSmall, class L>
 HWY_INLINE Triple<L> normalize_faithful(const L& l, const Constants<typename L::Int>& c, const Triple<L>& v) {
   const RsqrtGeometry& g = c.rsqrt;
   const int p = c.config.vector_bits + 1;
   const auto limit = l.set((1 << p) - 1);
   const auto zero = l.set(0);
-  const auto magnitude = [&](typename L::V a) HWY_ATTR { return l.min(l.max(a, l.sub(zero, a)), limit); };
+  const auto magnitude = [&](typename L::V a) HWY_ATTR { return l.min(l.abs(a), limit); };
   Triple<L> m{magnitude(v.x), magnitude(v.y), magnitude(v.z)};
   const auto any = l.or_(l.or_(m.x, m.y), m.z);
   const auto shift = l.sub(l.set(p - 1), l.floor_log2(l.max(any, l.set(1))));
@@ -49,12 +49,15 @@ HWY_INLINE Triple<L> normalize_faithful(const L& l, const Constants<typename L::
   const auto sum = l.add(l.add(l.mul_half(m.x, m.x), l.mul_half(m.y, m.y)), l.mul_half(m.z, m.z));
   const auto one = l.set(1);
   const auto e = l.select(l.less(sum, l.shl(one, 2 * p)), zero, one);
-  const auto aligned = l.shl_each(sum, l.sub(l.set(2), l.add(e, e)));
   const int dropped = 2 * p + 2 - g.input_bits;
-  const auto r = rsqrt(l, c, dropped >= 0 ? l.sar(aligned, dropped) : l.shl(aligned, -dropped));
-  const auto down = l.add(l.set(p + g.output_bits - c.config.unit_bits), e);
+  const int padded = std::max(-dropped, 0);
+  const auto aligned = l.shl_each(sum, l.sub(l.set(2 + padded), l.add(e, e)));
+  const auto r = rsqrt<kIsSmall>(l, c, l.sar(aligned, std::max(dropped, 0)));
+  const int down = p + g.output_bits - c.config.unit_bits;
+  const auto half = l.shl_each(l.set(1 << (down - 1)), e);
+  const auto shift_down = l.add(l.set(down), e);
   const auto scale = [&](typename L::V a, typename L::V sign_of) HWY_ATTR {
-    const auto n = round_half_up_each(l, l.mul_half(a, r), down);
+    const auto n = l.sar_each(l.add(l.mul_half(a, r), half), shift_down);
     return l.select(l.less(sign_of, zero), l.sub(zero, n), n);
   };
   return {scale(m.x, v.x), scale(m.y, v.y), scale(m.z, v.z)};
@@ -70,21 +73,34 @@ HWY_INLINE Triple<L> normalize_none(const L& l, const Constants<typename L::Int>
 }
 
 // One unit over the batch. `zero` collects the fragments whose vector has no direction.
-template <class L, class Columns>
-void normalize_unit(const L& l, const Context& context, int normalizer, Columns& in, Columns& out,
-                    typename Columns::value_type& zero, int count) {
-  const auto c = context.constants<typename L::Int>();
+template <class L, class Columns, class Normalize>
+HWY_INLINE void normalize_columns(const L& l, const Columns& in, Columns& out, typename Columns::value_type& zero,
+                                  int count, const Normalize& to_unit) {
   for (int first = 0; first < count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
     const Triple<L> v{l.load(&in[0][i]), l.load(&in[1][i]), l.load(&in[2][i])};
-    const Triple<L> n =
-        normalizer == static_cast<int>(Normalizer::kFaithful) ? normalize_faithful(l, c, v) : normalize_none(l, c, v);
+    const Triple<L> n = to_unit(v);
     l.store(n.x, &out[0][i]);
     l.store(n.y, &out[1][i]);
     l.store(n.z, &out[2][i]);
     const auto none = l.equal(l.or_(l.or_(v.x, v.y), v.z), l.set(0));
     l.store(l.select(none, l.set(1), l.load(&zero[i])), &zero[i]);
   }
+}
+
+// The kind of unit is chosen outside of its loop.
+template <class L, class Columns>
+void normalize_unit(const L& l, const Context& context, int normalizer, const Columns& in, Columns& out,
+                    typename Columns::value_type& zero, int count) {
+  const auto c = context.constants<typename L::Int>();
+  if (normalizer == static_cast<int>(Normalizer::kNone))
+    normalize_columns(l, in, out, zero, count, [&](const Triple<L>& v) HWY_ATTR { return normalize_none(l, c, v); });
+  else if ((std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable)
+    normalize_columns(l, in, out, zero, count,
+                      [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<true>(l, c, v); });
+  else
+    normalize_columns(l, in, out, zero, count,
+                      [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<false>(l, c, v); });
 }
 
 template <class L>

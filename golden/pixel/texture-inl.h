@@ -54,7 +54,7 @@ HWY_INLINE void address(const L& l, const Constants<typename L::Int>& c, typenam
   const Coordinate<L> x = coordinate(l, c.config, u, level, c.draw.log2_width, c.draw.wrap_u);
   const Coordinate<L> y = coordinate(l, c.config, v, level, c.draw.log2_height, c.draw.wrap_v);
   const auto stride = l.lookup16(c.level_stride, level);
-  const auto row = l.add(l.mul(y.position, stride), x.position);
+  const auto row = l.add(l.mul_half(y.position, stride), x.position);
   l.store(l.add(l.lookup16(c.level_offset, level), row), &out.position[i]);
   l.store(stride, &out.stride[i]);
   l.store(x.weight, &out.weight_u[i]);
@@ -85,13 +85,20 @@ HWY_INLINE typename L::V interpolated(const L& l, typename L::V p, typename L::V
 // The four texels of fragments i... of one level.
 template <class L>
 struct Quad {
-  typename L::V upper_left, upper_right, lower_left, lower_right, weight_u, weight_v;
+  typename L::V upper_left, upper_right, lower_left, lower_right, weights_u, weight_v, weights_v;
 };
 template <class L>
-HWY_INLINE Quad<L> load_quad(const L& l, const TexelRows& rows, const TexelAddresses<typename L::Int>& addresses,
-                             std::size_t i) {
-  return {l.low_half(&rows.upper[i]),  l.high_half(&rows.upper[i]),    l.low_half(&rows.lower[i]),
-          l.high_half(&rows.lower[i]), l.load(&addresses.weight_u[i]), l.load(&addresses.weight_v[i])};
+HWY_INLINE Quad<L> load_quad(const L& l, const Config& c, const TexelRows& rows,
+                             const TexelAddresses<typename L::Int>& addresses, std::size_t i) {
+  const int b = c.weight_fraction_bits();
+  const auto u = l.load(&addresses.weight_u[i]), v = l.load(&addresses.weight_v[i]);
+  return {l.low_half(&rows.upper[i]),
+          l.high_half(&rows.upper[i]),
+          l.low_half(&rows.lower[i]),
+          l.high_half(&rows.lower[i]),
+          l.weights(u, b),
+          v,
+          l.weights(v, b)};
 }
 
 // A component, `shift` bits up in its texel, filtered within a level; 2B fraction bits.
@@ -101,10 +108,9 @@ HWY_INLINE typename L::V filter_quad(const L& l, const Config& c, const Quad<L>&
   const auto component = [&](typename L::V texel) HWY_ATTR { return l.and_(l.sar(texel, shift), mask); };
   const int b = c.weight_fraction_bits();
   if (b == 0) return component(quad.upper_left);
-  const auto along_x = [&](typename L::V left, typename L::V right)
-                           HWY_ATTR { return l.add(l.shl(left, b), l.mul_half(l.sub(right, left), quad.weight_u)); };
-  const auto upper = along_x(component(quad.upper_left), component(quad.upper_right));
-  const auto lower = along_x(component(quad.lower_left), component(quad.lower_right));
+  const auto upper = l.weigh15(component(quad.upper_left), component(quad.upper_right), quad.weights_u, b);
+  const auto lower = l.weigh15(component(quad.lower_left), component(quad.lower_right), quad.weights_u, b);
+  if (c.texel_bits + b <= 16) return l.weigh16(upper, lower, quad.weights_v, b);
   return interpolated(l, upper, lower, quad.weight_v, b);
 }
 
@@ -125,8 +131,8 @@ HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const st
   if (trilinear) fetch(texels.data(), s.b, count, s.rows_b);
   for (int first = 0; first < count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
-    const Quad<L> a = load_quad(l, s.rows_a, s.a, i);
-    const Quad<L> b = load_quad(l, s.rows_b, s.b, i);
+    const Quad<L> a = load_quad(l, c.config, s.rows_a, s.a, i);
+    const Quad<L> b = load_quad(l, c.config, s.rows_b, s.b, i);
     const auto weight = l.load(&s.weight[i]);
     for (int k = 0; k < 3; ++k) {
       auto f = filter_quad(l, c.config, a, k * c.config.texel_bits);
