@@ -19,7 +19,7 @@ module wrinkle_core #(
   parameter SCREEN_BITS        = 10, // X: the screen is at most 2^X by 2^X pixels
   parameter SUBPIXEL_BITS      = 8,  // S: vertices lie on a grid of 2^-S pixel
   parameter GUARD_BITS         = 10, // G: extra fraction bits of every interpolator
-  parameter VECTOR_BITS        = 10, // V: fraction bits of vectors before normalization (s1.V)
+  parameter VECTOR_BITS        = 9, // V: fraction bits of vectors before normalization (s1.V)
   parameter UV_INTEGER_BITS    = 4,  // UI: integer bits of u and v, sign included (sUI-1.UF)
   parameter UV_BITS            = 18, // UF: fraction bits of u and v, in repeats of the texture
   parameter Q_BITS             = 18, // Q: fraction bits of the interpolated 1/w (u0.Q); perspective only
@@ -27,7 +27,7 @@ module wrinkle_core #(
   parameter LOD_BITS           = 5,  // LB: fraction bits of the level of detail; trilinear only
   parameter WEIGHT_BITS        = 8,  // B: fraction bits of the bilinear weights
   parameter TEXEL_BITS         = 8,  // T: bits of a texel component
-  parameter UNIT_BITS          = 8,  // F: fraction bits of unit vectors (s1.F)
+  parameter UNIT_BITS          = 9,  // F: fraction bits of unit vectors (s1.F)
   parameter DOT_BITS           = 10, // DF: fraction bits of N.L and N.H (u1.DF); at most 2F
   parameter POWER_BITS         = 12, // PF: fraction bits of (N.H)^n (u1.PF); at least DF
   parameter SPECULAR_SQUARINGS = 5,  // K: exponents 0, 1, 2, 4 ... 2^K; halfangle only

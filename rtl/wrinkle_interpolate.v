@@ -10,7 +10,7 @@ module wrinkle_interpolate #(
   parameter DEPTH           = 1,
   parameter DECAL           = 0,
   parameter GUARD_BITS      = 10,
-  parameter VECTOR_BITS     = 10,
+  parameter VECTOR_BITS     = 9,
   parameter UV_INTEGER_BITS = 4,
   parameter UV_BITS         = 18,
   parameter Q_BITS          = 18,

@@ -11,7 +11,7 @@ module wrinkle_light #(
   parameter DECAL              = 0,
   parameter SCREEN_BITS        = 10,
   parameter TEXEL_BITS         = 8,
-  parameter UNIT_BITS          = 8,   // F
+  parameter UNIT_BITS          = 9,   // F
   parameter DOT_BITS           = 10,  // DF
   parameter POWER_BITS         = 12,  // PF
   parameter SPECULAR_SQUARINGS = 5,   // K

@@ -9,9 +9,9 @@ module wrinkle_normalize #(
   parameter DEPTH        = 1,
   parameter DECAL        = 0,
   parameter SCREEN_BITS  = 10,
-  parameter VECTOR_BITS  = 10,
+  parameter VECTOR_BITS  = 9,
   parameter TEXEL_BITS   = 8,
-  parameter UNIT_BITS    = 8,
+  parameter UNIT_BITS    = 9,
   parameter DEPTH_BITS   = 20
 ) (
   input  wire clk,

@@ -14,7 +14,7 @@ module wrinkle_packet #(
   parameter SCREEN_BITS     = 10,
   parameter SUBPIXEL_BITS   = 8,
   parameter GUARD_BITS      = 10,
-  parameter VECTOR_BITS     = 10,
+  parameter VECTOR_BITS     = 9,
   parameter UV_INTEGER_BITS = 4,
   parameter UV_BITS         = 18,
   parameter Q_BITS          = 18,

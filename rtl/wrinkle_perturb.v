@@ -3,7 +3,7 @@
 // Latency 0. With DATAPATH phong [Peercy97 fig. 1], a wire. Does not normalize.
 module wrinkle_perturb #(
   parameter DATAPATH    = 1,
-  parameter VECTOR_BITS = 10
+  parameter VECTOR_BITS = 9
 ) (
   input  wire draw_bump_i,
   input  wire in_valid_i,

@@ -8,9 +8,9 @@
 #include "sim/command.h"
 #include "sim/input_error.h"
 #include "sim/progress.h"
-#include "sim/random_frame.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/vectors/vectors.h"
+#include "tb/random_frame.h"
 
 namespace wrinkle {
 namespace {
@@ -71,7 +71,10 @@ bool verify_random(const Options& options, nlohmann::json& runs) {
     std::uint64_t fragments = 0, cycles = 0, mismatches = 0, frames = 0;
     for (; fragments < options.random && mismatches == 0; ++frames) {
       bench.seed = options.rtl.seed + frames;
-      const Frame frame = random_frame(config, bench.seed, std::min(kFrame, options.random - fragments));
+      RandomFrame wish;
+      wish.seed = bench.seed;
+      wish.fragments = double(std::min(kFrame, options.random - fragments));
+      const Frame frame = random_frame(config, wish);
       const BenchResult result = run_bench(config, frame, bench);
       if (!result.equal()) return verify_frame(config, name, frame, bench, runs);
       fragments += result.fragments;

@@ -1,7 +1,7 @@
 `default_nettype none
 // max(a . b, 0) in u1.DF, at most one: three products, then their sum, rounded and saturated. Latency 2.
 module wrinkle_clamped_dot #(
-  parameter UNIT_BITS = 8,   // F
+  parameter UNIT_BITS = 9,   // F
   parameter DOT_BITS  = 10   // DF, at most 2F
 ) (
   input  wire                       clk,

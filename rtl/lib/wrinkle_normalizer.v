@@ -4,8 +4,8 @@
 // r = 1/sqrt of its leading bits, and each component is m * r, rounded, with its sign put back. The one value
 // -2^(V+1) has no magnitude in V + 1 bits and saturates. Latency 5. [docs/architecture.md, golden/pixel/rsqrt.h]
 module wrinkle_normalizer #(
-  parameter VECTOR_BITS = 10,  // V
-  parameter UNIT_BITS   = 8    // F
+  parameter VECTOR_BITS = 9,  // V
+  parameter UNIT_BITS   = 9    // F
 ) (
   input  wire                       clk,
   input  wire                       advance_i,

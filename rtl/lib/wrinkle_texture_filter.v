@@ -8,7 +8,7 @@ module wrinkle_texture_filter #(
   parameter FILTER      = 2,
   parameter DECODE      = 0,
   parameter DECAL       = 0,
-  parameter VECTOR_BITS = 10,
+  parameter VECTOR_BITS = 9,
   parameter LOD_BITS    = 5,  // LB, 0 unless trilinear
   parameter WEIGHT_BITS = 8,  // B, 0 with nearest
   parameter TEXEL_BITS  = 8

@@ -3,8 +3,8 @@
 // vector that is of unit length already. Latency RANKS, at least 5 with a normalizer and 1 without.
 module wrinkle_unit_vector #(
   parameter NORMALIZER  = 1,
-  parameter VECTOR_BITS = 10,  // V
-  parameter UNIT_BITS   = 8,   // F
+  parameter VECTOR_BITS = 9,  // V
+  parameter UNIT_BITS   = 9,   // F
   parameter RANKS       = 5
 ) (
   input  wire                         clk,

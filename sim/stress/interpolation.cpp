@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "golden/triangle/corners.h"
 #include "sim/stress/catalogue.h"
 
 namespace wrinkle {
@@ -20,9 +21,11 @@ constexpr std::int64_t kLow = 8, kTop = (1 << 20) - 1 - kLow;
 
 ScreenTriangle triangle_with(const Config& config, const Corners& corners, const CornerValues& values) {
   ScreenTriangle triangle = screen_triangle(corners);
+  // Depth 0 to 1 is drawn as margin to 2^Z - 1 - margin.
+  const auto margin = double(interpolation_margin(config, config.depth_bits));
   for (std::size_t i = 0; i < 3; ++i) {
     triangle.v[i].N = triangle.v[i].L = triangle.v[i].H = {0, 0, 1};
-    triangle.v[i].z = std::ldexp(double(values[i]), -config.depth_bits);
+    triangle.v[i].z = (double(values[i]) - margin) / (std::ldexp(1.0, config.depth_bits) - 1 - 2 * margin);
   }
   return triangle;
 }

@@ -18,6 +18,7 @@ using wrinkle::Taps;
 
 struct Instance {
   explicit Instance(std::uint64_t seed) {
+    context.threads(1);
     context.randSeed(static_cast<int>(seed % 0x7fffffff) + 1);
     context.randReset(2);
 #ifdef WRINKLE_TRACE
@@ -26,7 +27,12 @@ struct Instance {
     core = std::make_unique<Vwrinkle_core>(&context);
     core->clk = 0;
   }
-  ~Instance() { core->final(); }
+  ~Instance() {
+    // Verilator's scopes take themselves off the thread's current context, which may be that of a later model.
+    Verilated::threadContextp(&context);
+    core->final();
+    core.reset();
+  }
 
   VerilatedContext context;
   std::unique_ptr<Vwrinkle_core> core;

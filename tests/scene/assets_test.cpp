@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "golden/vertex/scene.h"
+#include "golden/vertex/transform.h"
 #include "sim/config_file.h"
 #include "sim/scene/scene_reader.h"
 #include "support.h"
@@ -60,10 +61,16 @@ INSTANTIATE_TEST_SUITE_P(
 
 using Corners = std::array<Vertex, 3>;
 
+// In the world: a converter may have put the transforms of nodes into the vertices.
 std::vector<Corners> triangles_of(const Scene& scene) {
   std::vector<Corners> list;
   for (const Object& object : scene.objects) {
-    const auto& v = object.mesh.vertices;
+    std::vector<Vertex> v = object.mesh.vertices;
+    for (Vertex& vertex : v) {
+      vertex.P = transform_point(object.to_world, vertex.P);
+      vertex.N = normalize(transform_normal(object.to_world, vertex.N));
+      vertex.T = normalize(transform_direction(object.to_world, vertex.T));
+    }
     for (const auto& t : object.mesh.triangles) list.push_back({v[t[0]], v[t[1]], v[t[2]]});
   }
   return list;
@@ -85,11 +92,16 @@ std::optional<Corners> matched(const Corners& like, const Corners& t) {
   return std::nullopt;
 }
 
-class Twins : public ::testing::TestWithParam<const char*> {};
+struct Twin {
+  const char* name;
+  double tangents;  // how far apart unit tangents may be: those of the Avocado are supplied, and the exporter's
+};
 
-// The converter put triangles into another order.
+class Twins : public ::testing::TestWithParam<Twin> {};
+
+// Triangles may have changed their order.
 TEST_P(Twins, ObjHasTheFramesOfGltf) {
-  const std::string name = GetParam();
+  const std::string name = GetParam().name;
   const fs::path gltf = shared("gltf/" + name + "/glTF/" + name + ".gltf");
   const fs::path obj = shared("obj/" + name + "_assimp/" + name + ".obj");
   if (!fs::exists(gltf) || !fs::exists(obj)) GTEST_SKIP() << "no ../shared/assets for " << name;
@@ -102,17 +114,17 @@ TEST_P(Twins, ObjHasTheFramesOfGltf) {
     ASSERT_TRUE(twin) << "triangle " << i;
     for (std::size_t c = 0; c < 3; ++c) {
       ASSERT_LT(length(a[i][c].N - (*twin)[c].N), 1e-5) << "triangle " << i;
-      same_tangent += length(a[i][c].T - (*twin)[c].T) < 0.02 && a[i][c].sign == (*twin)[c].sign ? 1 : 0;
+      same_tangent += length(a[i][c].T - (*twin)[c].T) < GetParam().tangents && a[i][c].sign == (*twin)[c].sign ? 1 : 0;
     }
   }
-  // Rounding to decimals moves welds, and so groups, at a few corners; supplied tangents are the exporter's.
+  // Rounding to decimals moves welds, and so groups, at a few corners.
   const double share = static_cast<double>(same_tangent) / static_cast<double>(3 * a.size());
   RecordProperty("same_tangent", std::to_string(share));
   EXPECT_GT(share, 0.95);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, Twins, ::testing::Values("Avocado", "NormalTangentTest"),
-                         [](const auto& twin) { return std::string(twin.param); });
+INSTANTIATE_TEST_SUITE_P(Shared, Twins, ::testing::Values(Twin{"Avocado", 0.25}, Twin{"NormalTangentTest", 0.02}),
+                         CaseName());
 
 }  // namespace
 }  // namespace wrinkle::test

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "golden/vertex/scene.h"
 #include "sim/config_file.h"
@@ -270,6 +271,26 @@ TEST(Gltf, Extremes49ContainerLies) {
   expect_error([&] { read_scene(with(8, 0xffffffff)); }, {"4294967295"});
   expect_error([&] { read_scene(with(12, 0xffffffff)); }, {"chunk 0", "4294967295"});
   expect_error([&] { read_scene(with(16, 0)); }, {"JSON"});
+}
+
+// Whatever three bytes are wrong: a scene, or one clear message.
+TEST(Gltf, Extremes49RandomBytesSeed1) {
+  const Folder folder;
+  const std::string whole = binary(embedded(), buffer());
+  std::mt19937 random(1);
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string bytes = whole;
+    for (int k = 0; k < 3; ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
+    try {
+      read_scene(folder.write("wrong.glb", bytes));
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("wrong.glb"));
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_LT(refused, 3000);
 }
 
 // Node matrices: hierarchy, and a mirroring scale, which turns windings round without turning faces away.

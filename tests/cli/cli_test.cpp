@@ -1,0 +1,151 @@
+// The program as a user runs it: exit codes, messages, files written and not written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct Result {
+  int exit_code;
+  std::string output;  // both streams
+};
+
+Result run(const std::string& arguments) {
+  FILE* pipe = popen((std::string(WRINKLE_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  Result result{-1, ""};
+  std::array<char, 4096> buffer;
+  while (std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) result.output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  return result;
+}
+
+// A folder of this test's own.
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("wrinkle_cli_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(std::ifstream(path(name))); }
+
+  fs::path folder_;
+};
+
+struct BadCommand {
+  const char* name;
+  const char* arguments;
+  const char* message;
+};
+
+class BadCommands : public testing::TestWithParam<BadCommand> {};
+
+TEST_P(BadCommands, ExitTwoWithOneClearMessage) {
+  const Result result = run(GetParam().arguments);
+  EXPECT_EQ(result.exit_code, 2) << result.output;
+  EXPECT_THAT(result.output, HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadCommands,
+    testing::Values(BadCommand{"NoCommand", "", "A subcommand is required"},
+                    BadCommand{"UnknownCommand", "paint", "subcommand is required"},
+                    BadCommand{"UnknownOption", "render patch_fig6 --fast", "--fast"},
+                    BadCommand{"NoScene", "render", "SCENE"},
+                    BadCommand{"MissingScene", "render /no/such/scene.toml", "/no/such/scene.toml"},
+                    BadCommand{"FolderAsScene", "render /tmp", "/tmp"},
+                    BadCommand{"UnknownEngine", "render patch_fig6 -e gpu", "ideal, exact, golden, golden-scalar, rtl"},
+                    BadCommand{"UnknownConfig", "render patch_fig6 -c huge", "huge"},
+                    BadCommand{"UnknownKey", "render patch_fig6 --set unit_bit=8", "unit_bit"},
+                    BadCommand{"ValueOutOfRange", "render patch_fig6 --set unit_bits=99", "16"},
+                    BadCommand{"ValueNotANumber", "render patch_fig6 --set unit_bits=many", "many"},
+                    BadCommand{"SizeOfNothing", "render patch_fig6 --size 0x5", "WIDTHxHEIGHT"},
+                    BadCommand{"SizeTooLarge", "render patch_fig6 --size 5000", "4096"},
+                    BadCommand{"SizeWithRest", "render patch_fig6 --size 64x64x64", "WIDTHxHEIGHT"},
+                    BadCommand{"UnknownAov", "render patch_fig6 --aov B -o /tmp/x.exr", "found B"},
+                    BadCommand{"AovOfAnotherConfig", "render patch_fig1 --set datapath=phong --aov lod -o /tmp/x.exr",
+                               "interpolate_lod"},
+                    BadCommand{"AovIntoPng", "render patch_fig6 --aov N -o /tmp/x.png", ".exr"},
+                    BadCommand{"UnknownFormat", "render patch_fig6 --size 8 -o /tmp/x.nothing", ".nothing"},
+                    BadCommand{"UnwritableFolder", "render patch_fig6 --size 8 -o /proc/none/x.png",
+                               "/proc/none/x.png"},
+                    BadCommand{"NothingToVerify", "verify", "--random N or --vectors FILE"},
+                    BadCommand{"UnknownStalls", "verify patch_fig6 --stalls often", "bursty"},
+                    BadCommand{"MissingVectors", "verify --vectors /no/such.txt", "/no/such.txt"},
+                    BadCommand{"MissingRtl", "verify patch_fig6 --rtl /no/such", "/no/such"},
+                    BadCommand{"NegativeLatency", "verify patch_fig6 --latency -1", "--latency"}),
+    [](const auto& instance) { return instance.param.name; });
+
+TEST_F(Cli, HelpOfEveryCommand) {
+  EXPECT_EQ(run("--help").exit_code, 0);
+  for (const char* command : {"demo", "render", "verify", "stress", "bench"}) {
+    const Result result = run(std::string(command) + " --help");
+    EXPECT_EQ(result.exit_code, 0) << command;
+    EXPECT_THAT(result.output, HasSubstr("--json"));
+    EXPECT_THAT(run("--help").output, HasSubstr(command));
+  }
+}
+
+TEST_F(Cli, FailedRenderLeavesNoFile) {
+  EXPECT_EQ(run("render /no/such.toml -o " + path("a.png") + " --json " + path("a.json")).exit_code, 2);
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Cli, RenderWritesThePictureAlone) {
+  const Result result = run("render patch_fig6 --size 40x30 -o " + path("a.png") + " --json " + path("a.json"));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_GT(fs::file_size(path("a.png")), 100U);
+  EXPECT_EQ(json("a.json")["width"], 40);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2);
+}
+
+TEST_F(Cli, EveryEngineDrawsTheSameFragments) {
+  for (const char* engine : {"ideal", "exact", "golden", "golden-scalar", "rtl"}) {
+    const std::string file = path(std::string(engine) + ".json");
+    const Result result = run(std::string("render patch_fig6 --size 48 --aov N,L,H,NL,NH,u,v,lod,z,triangle -e ") +
+                              engine + " -o " + path("a.exr") + " --json " + file);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+  }
+  for (const char* engine : {"ideal", "exact", "golden-scalar", "rtl"})
+    EXPECT_EQ(json(std::string(engine) + ".json")["fragments"], json("golden.json")["fragments"]) << engine;
+}
+
+TEST_F(Cli, VerifyOfEqualEnginesExitsZero) {
+  const Result result = run("verify patch_fig6 --random 5000 --json " + path("a.json"));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_EQ(json("a.json")["equal"], true);
+  EXPECT_EQ(json("a.json")["runs"].size(), 2U);
+}
+
+// Bit 2 of the texture's normals turned round in the RTL: exit 1, with the stage named.
+TEST_F(Cli, VerifyOfWrongRtlExitsOneAndNamesTheStage) {
+  fs::copy(fs::path(WRINKLE_SOURCE_DIR) / "rtl", folder_ / "rtl", fs::copy_options::recursive);
+  const fs::path file = folder_ / "rtl/wrinkle_perturb.v";
+  std::ifstream in(file);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string right = "draw_bump_i ? texture_n_i";
+  const std::size_t at = text.find(right);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, right.size(), right + " ^ 4");
+  std::ofstream(file) << text;
+  const Result result = run("verify patch_fig6 --rtl " + folder_.string() + " --json " + path("a.json"));
+  EXPECT_EQ(result.exit_code, 1) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("perturb"));
+  EXPECT_EQ(json("a.json")["runs"][0]["first"]["stage"], "perturb");
+  EXPECT_EQ(json("a.json")["equal"], false);
+}
+
+}  // namespace
