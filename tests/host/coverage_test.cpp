@@ -4,6 +4,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "tests/host/spans.h"
 
@@ -129,6 +130,17 @@ TEST(Coverage, SharedEdgesAreDrawnOnce) {
       }
     }
     for (int n : count) ASSERT_EQ(n, 1);
+  }
+}
+
+// Slivers cut at the right side of the screen so that a piece would begin or end with an empty row: three in some eight
+// million random triangles.
+TEST(Coverage, PiecesAreTrimmed) {
+  for (const auto& [bits, width, a, b, c] : {std::tuple{6, 5, Point{208, 333}, Point{1089, 1959}, Point{232, 536}},
+                                             {6, 7, Point{339, 750}, Point{477, 610}, Point{576, 66}},
+                                             {2, 6, Point{16, 54}, Point{43, -37}, Point{24, 43}}}) {
+    const Config config = config_for(4, bits);
+    EXPECT_EQ(spans(config, triangle(a, b, c), width, 16), exact_spans(config, triangle(a, b, c), width, 16));
   }
 }
 
