@@ -59,6 +59,9 @@ VectorReport check(VectorKind kind, const Config& config, const std::vector<Case
 
 // x as a sum of three squares of 16-bit numbers; false where there is none (x = 4^a (8 b + 7), or x too large).
 bool three_squares(std::int64_t x, IntVec& v) {
+  std::int64_t odd = x;
+  while (odd > 0 && odd % 4 == 0) odd /= 4;
+  if (odd % 8 == 7) return false;
   for (std::int64_t a = std::min<std::int64_t>(std::int64_t(isqrt(std::uint64_t(x))), 32767); 3 * a * a >= x && a > 0;
        --a) {
     const std::int64_t rest = x - a * a;

@@ -53,7 +53,7 @@ TEST_P(WrongVectors, AreCaught) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kind, WrongVectors,
-    testing::Values(Wrong{"coverage", "T 0 0 0 0 512 0 0 512 3\nR 0 3\nT 1 0 0 0 512 0 0 512 3\nR 0 1\nR 1 1\n"},
+    testing::Values(Wrong{"coverage", "T 0 0 0 0 512 0 0 512 1\nR 0 1\nT 1 0 0 0 512 0 0 512 1\nR 0 3\n"},
                     Wrong{"trilinear", "M 0\n10\nS 0 0 0 0 16 16\nS 0 0 0 0 20 20\n"},
                     Wrong{"normalize", "0 0 1 0 0 1073741824 0 0 16384\n1 0 0 0 1073741824 0 0 16384 0\n"},
                     Wrong{"rsqrt", "1 1099511627776\n4 1099511627776\n"}),
