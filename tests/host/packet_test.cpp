@@ -56,7 +56,7 @@ TEST(Packet, TrianglesComeBackFromTheirWords) {
 
 TEST(Packet, DrawsComeBackFromTheirWords) {
   Random random(2);
-  const Config config;
+  const Config config = fixed_widths();
   for (int i = 0; i < 1000; ++i) {
     const auto flag = [&] { return random.integer(0, 1) != 0; };
     const auto field = [&](int bits) { return static_cast<int>(random.integer(0, (1 << bits) - 1)); };
@@ -90,7 +90,7 @@ TEST(Packet, DrawFieldsLieWhereTheFormatSays) {
 
 // Bit offsets of docs/formats.md for the standard widths: X = 10, S = 8, ED = 20, plane 0 at a new word.
 TEST(Packet, TriangleFieldsLieWhereTheFormatSays) {
-  const Config config;
+  const Config config = fixed_widths();
   TriangleWords triangle;
   triangle.mirror = true;
   triangle.y = 0x155;
@@ -114,7 +114,7 @@ TEST(Packet, TriangleFieldsLieWhereTheFormatSays) {
 }
 
 TEST(Packet, ComponentsFollowTheConfiguration) {
-  Config config;
+  Config config = fixed_widths();
   const auto has = [&](Component component) {
     for (const ComponentFormat& format : component_formats(config)) {
       if (format.component == component) return true;
@@ -132,7 +132,7 @@ TEST(Packet, ComponentsFollowTheConfiguration) {
 }
 
 TEST(Packet, WhatIsCutShortOrOfAnotherOpcodeIsRefused) {
-  const Config config;
+  const Config config = fixed_widths();
   std::vector<std::uint64_t> words;
   encode(config, TriangleWords{}, words);
   EXPECT_THROW(decode_draw(words), std::invalid_argument);

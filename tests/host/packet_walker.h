@@ -39,6 +39,15 @@ class Random {
   std::mt19937_64 engine_;
 };
 
+// Widths written out, for tests that name bits: the standard ones of a Config may move.
+inline Config fixed_widths() {
+  Config config;
+  config.screen_bits = 10, config.subpixel_bits = 8, config.guard_bits = 10, config.vector_bits = 10;
+  config.uv_integer_bits = 4, config.uv_bits = 18, config.q_bits = 18, config.reciprocal_bits = 18;
+  config.lod_bits = 5, config.colour_bits = 8, config.depth_bits = 20, config.specular_squarings = 5;
+  return config;
+}
+
 struct Point {
   int x, y;  // sub-pixels
 };

@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 TEST(SetUp, DrawStatesAreQuantised) {
-  Config config;
+  Config config = fixed_widths();
   DrawState state;
   state.bump = state.textured = state.shadow = true;
   state.wrap_v = Wrap::kMirror;
@@ -75,7 +75,7 @@ Frame random_frame(std::uint64_t seed) {
 }
 
 TEST(SetUp, AFrameBecomesAStreamWithItsIndex) {
-  const Config config;
+  const Config config = fixed_widths();
   const Frame frame = random_frame(10);
   const PacketStream stream = build_packets(config, frame);
   EXPECT_EQ(stream.draw_word.size(), 2u) << "draws without packets are left out";
@@ -109,7 +109,7 @@ std::uint64_t fingerprint(const Config& config) {
 
 // The same words from every compiler at every optimisation; these come from gcc 12 and clang 14, -O0 to -O2, on x86-64.
 TEST(SetUp, WordsAreTheSameFromEveryCompiler) {
-  Config config;
+  Config config = fixed_widths();
   EXPECT_EQ(fingerprint(config), 16283448069667544233u);
   config.perspective = 1;
   config.screen_bits = 12, config.guard_bits = 14, config.vector_bits = 18, config.lod_bits = 8;

@@ -96,7 +96,7 @@ TEST(SetUp, PlanesKeepTheirBoundOnRandomTriangles) {
 
 // Vectors scaled by 1/w: the interpolated direction is that of the perspective-correct vector.
 TEST(SetUp, VectorsFollowThePerspective) {
-  Config config;
+  Config config = fixed_widths();
   config.perspective = 1;
   ScreenTriangle t = triangle({100, 100}, {60000, 300}, {500, 62000});
   t.v[0].q = 2, t.v[1].q = 0.5, t.v[2].q = 1;
@@ -123,7 +123,7 @@ TEST(SetUp, VectorsFollowThePerspective) {
 }
 
 TEST(SetUp, OneRowHasNoStep) {
-  const Config config;
+  const Config config = fixed_widths();
   const auto packets = set_up(config, triangle({0, 0}, {200000, 100}, {3, 300}), bumped(), 1024, 1024);
   ASSERT_EQ(packets.size(), 1u);
   EXPECT_EQ(packets[0].rows, 1);
@@ -134,7 +134,7 @@ TEST(SetUp, OneRowHasNoStep) {
 }
 
 TEST(Extremes, E13_NoGradient) {
-  Config config;
+  Config config = fixed_widths();
   config.depth = 1;
   ScreenTriangle t = triangle({100, 100}, {200000, 5000}, {3000, 150000});
   for (ScreenVertex& vertex : t.v) vertex.z = 0.3, vertex.uv = {0.7, 0.1}, vertex.N = {0.6, 0, 0.8};
@@ -175,7 +175,7 @@ TEST(Extremes, E14_GreatestGradient) {
 TEST(Extremes, E15_TheEndsOfTheFormatAreNotCrossed) {
   Random random(15);
   for (int guard_bits : {4, 8, 12}) {
-    Config config;
+    Config config = fixed_widths();
     config.screen_bits = 12;
     config.guard_bits = guard_bits;
     config.perspective = 1;
@@ -206,7 +206,7 @@ TEST(Extremes, E15_TheEndsOfTheFormatAreNotCrossed) {
 
 TEST(Extremes, E16_AccumulatedError) {
   Random random(16);
-  Config config;
+  Config config = fixed_widths();
   config.screen_bits = 12;
   config.guard_bits = 12;
   Worst worst;
@@ -226,7 +226,7 @@ TEST(Extremes, E16_AccumulatedError) {
 
 TEST(Extremes, E17_MismatchAcrossASharedEdge) {
   Random random(17);
-  const Config config;
+  const Config config = fixed_widths();
   const auto value_on_edge = [&](const ScreenTriangle& t, int x, int y, Component component) {
     const TriangleWords packet = set_up(config, t, bumped(), 64, 64).at(0);
     const PlaneWords& plane = packet.planes[at(component)];

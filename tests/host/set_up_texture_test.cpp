@@ -13,7 +13,7 @@ using namespace test;
 
 TEST(SetUp, WholeRepeatsAreTakenOff) {
   Random random(40);
-  const Config config;
+  const Config config = fixed_widths();
   ScreenTriangle near = triangle({100, 100}, {9000, 300}, {500, 12000});
   randomize_attributes(random, near);
   for (ScreenVertex& v : near.v) v.uv.x = std::round(v.uv.x * 1024) / 1024, v.uv.y = std::round(v.uv.y * 1024) / 1024;
@@ -34,7 +34,7 @@ TEST(SetUp, WholeRepeatsAreTakenOff) {
 }
 
 TEST(SetUp, WhatDoesNotFitIsRefused) {
-  Config config;
+  Config config = fixed_widths();
   config.uv_integer_bits = 3;
   ScreenTriangle t = triangle({100, 100}, {9000, 300}, {500, 12000});
   DrawWords draw = bumped();
@@ -70,7 +70,7 @@ int level_over_32_pixels(const Config& config, double repeats) {
 }
 
 TEST(Extremes, E43_LevelOfDetailAtPowersOfTwo) {
-  Config config;
+  Config config = fixed_widths();
   const int one = 1 << config.lod_bits;
   for (int level = 0; level <= 3; ++level) {
     const double repeats = std::ldexp(0.5, level);
@@ -87,7 +87,7 @@ TEST(Extremes, E43_LevelOfDetailAtPowersOfTwo) {
 }
 
 TEST(Extremes, E47_LevelOfDetailSaturates) {
-  const Config config;
+  const Config config = fixed_widths();
   ScreenTriangle t = triangle({128, 128}, {129, 128}, {128, 129});
   t.v[1].uv = {7, -7};
   EXPECT_EQ(set_up(config, t, bumped(12, 12), 64, 64).at(0).lod, 12 << config.lod_bits);
@@ -112,7 +112,7 @@ TEST(SetUp, LogarithmIsTheFloorOfTheTrueOne) {
 // u*q / q at every pixel, and the level of detail at the corners.
 TEST(SetUp, PerspectivePlanesDivideToTheTexture) {
   Random random(9);
-  Config config;
+  Config config = fixed_widths();
   config.perspective = 1;
   const auto formats = component_formats(config);
   const auto format_of = [&](Component c) {
@@ -148,7 +148,7 @@ TEST(SetUp, PerspectivePlanesDivideToTheTexture) {
 }
 
 TEST(Extremes, E46_RangeOfW) {
-  Config config;
+  Config config = fixed_widths();
   config.perspective = 1;
   ScreenTriangle t = triangle({100, 100}, {60000, 300}, {500, 62000});
   for (ScreenVertex& v : t.v) v.q = 3, v.uv = {0.25, 0.5};
@@ -173,7 +173,7 @@ TEST(Extremes, E46_RangeOfW) {
 }
 
 TEST(SetUp, LevelOfDetailIsAPlaneThroughItsCornersWithPerspective) {
-  Config config;
+  Config config = fixed_widths();
   config.perspective = 1;
   // A floor: u, v and 1/w of a plane seen in perspective; rho at (x, y) by central differences.
   const auto q_at = [](double x, double y) { return 0.2 + 0.003 * x + 0.006 * y; };
