@@ -130,9 +130,11 @@ int widest_operand_bits(const Config& config) {
 }
 
 int lane_bits(const Config& config) {
-  // Factors that the pixel stages multiply as halves of a lane, the sign apart.
+  // Factors that the pixel stages multiply as halves of a lane: m, r, and intensities up to 1.
   const int magnitude = config.vector_bits + 1, root = rsqrt_geometry(config.unit_bits).output_bits + 1;
-  return widest_operand_bits(config) <= 32 && std::max(magnitude, root) <= 15 ? 32 : 64;
+  const int intensity = config.power_bits + 1, colour = config.colour_bits + 1;
+  const bool halves_fit = std::max({magnitude, root, intensity, colour}) <= 15;
+  return widest_operand_bits(config) <= 32 && halves_fit ? 32 : 64;
 }
 
 }  // namespace wrinkle

@@ -25,7 +25,7 @@ template <class L>
 HWY_INLINE typename L::V power(const L& l, const Constants<typename L::Int>& c, typename L::V nh) {
   if (c.draw.exponent_zero) return l.set(1 << c.config.power_bits);
   auto p = l.shl(nh, c.config.power_bits - c.config.dot_bits);
-  for (int k = 0; k < c.draw.squarings; ++k) p = round_half_up(l, l.mul(p, p), c.config.power_bits);
+  for (int k = 0; k < c.draw.squarings; ++k) p = round_half_up(l, l.mul_half(p, p), c.config.power_bits);
   return p;
 }
 
@@ -51,7 +51,7 @@ void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
     const auto nl = clamped_dot(l, c.config, batch.normalize_n, batch.normalize_l, i);
     const auto factor = shadow ? shadow_factor(l, c, l.load(&batch.normalize_l[2][i]), nl) : l.set(1 << df);
     l.store(nl, &batch.light_nl[0][i]);
-    l.store(shadow ? round_half_up(l, l.mul(nl, factor), df) : nl, &batch.light_diffuse[0][i]);
+    l.store(shadow ? round_half_up(l, l.mul_half(nl, factor), df) : nl, &batch.light_diffuse[0][i]);
     if (!c.config.has_halfangle()) continue;
     const auto nh = clamped_dot(l, c.config, batch.normalize_n, batch.normalize_h, i);
     const auto p = power(l, c, nh);
@@ -59,7 +59,7 @@ void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
     if (!shadow) {
       l.store(p, &batch.light_specular[0][i]);
     } else {
-      const auto lit = round_half_up(l, l.mul(p, factor), df);
+      const auto lit = round_half_up(l, l.mul_half(p, factor), df);
       l.store(l.select(l.less(l.set(0), nl), lit, l.set(0)), &batch.light_specular[0][i]);
     }
   }

@@ -19,13 +19,13 @@ HWY_INLINE typename L::V shade_channel(const L& l, const Constants<typename L::I
                                        typename L::V diffuse, typename L::V specular, const typename L::Int* decal) {
   const Config& config = c.config;
   const int df = config.dot_bits, pf = config.power_bits, bits = config.colour_bits;
-  auto base = l.add(l.shl(l.set(c.draw.ambient[k]), df), l.mul(l.set(c.draw.diffuse[k]), diffuse));
+  auto base = l.add(l.shl(l.set(c.draw.ambient[k]), df), l.mul_half(l.set(c.draw.diffuse[k]), diffuse));
   if (config.decal != 0) {
     const auto code = l.load(decal);
     const auto factor = l.add(code, l.sar(code, config.texel_bits - 1));
     base = round_half_up(l, l.mul(base, factor), config.texel_bits);
   }
-  const auto sum = l.add(l.shl(base, pf - df), l.mul(l.set(c.draw.specular[k]), specular));
+  const auto sum = l.add(l.shl(base, pf - df), l.mul_half(l.set(c.draw.specular[k]), specular));
   const typename L::Int full = (typename L::Int{1} << bits) - 1;
   return saturate(l, round_half_up(l, l.mul(sum, l.set(full)), bits + pf), 0, full);
 }

@@ -1,5 +1,6 @@
 // The reciprocal square root of the normalizer: a table of linear segments, small enough for logic, accurate enough
-// that the normalized vector is faithful. The Verilog twin is rtl/lib/wrinkle_rsqrt.v; its localparams are kRsqrtGeometry.
+// that the normalized vector is faithful. The Verilog twin is rtl/lib/wrinkle_rsqrt.v; its localparams are
+// kRsqrtGeometry.
 //
 //   T       SB bits, in [2^(SB-2), 2^SB): the leading bits of a real t in [T, T + 1) 2^-SB, so t is in [1/4, 1)
 //   r       u1.RB, approximates 1/sqrt(t), in [1, 2 - 2^-RB]: the leading bit is always set

@@ -133,7 +133,7 @@ TEST(Light, SelfShadow) {
   DrawWords draw;
   draw.bump = draw.shadow = true;
   for (int mode : {1, 2}) {
-    Lighting1 one(with({{&Config::self_shadow, mode}}), draw);
+    Lighting1 one(with({{&Config::self_shadow, mode}, {&Config::unit_bits, 8}}), draw);
     one.shade({0, 181, 181}, {0, 256, 0}, {0, 181, 181});
     EXPECT_GT(one.nl(), 0);
     EXPECT_EQ(one.diffuse(), 0) << "light in the tangent plane";
