@@ -53,12 +53,16 @@ Run replay(const Run& run, Words words, Model& model) {
 
 bool tapped(const Run& run, Stage stage) { return (run.last_taps.stages >> static_cast<int>(stage) & 1) != 0; }
 
-// The first stage whose number of transfers is not the number of fragments.
+// The first stage that handed on more than there are fragments; else the first that handed on fewer. (What multiplies
+// fragments also holds up the stages before it.)
 std::string stage_by_count(const Run& run, std::uint64_t total) {
+  std::string fewer;
   for (int stage = 0; stage < kStages; ++stage) {
-    if (tapped(run, Stage(stage)) && run.stage_transfers[stage] != total) return kStageNames[stage];
+    if (!tapped(run, Stage(stage))) continue;
+    if (run.stage_transfers[stage] > total) return kStageNames[stage];
+    if (run.stage_transfers[stage] < total && fewer.empty()) fewer = std::string(kStageNames[stage]);
   }
-  return "";
+  return fewer;
 }
 
 // Above the culprit of a hang every stage offers what is not taken; from it on nothing is offered.

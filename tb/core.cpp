@@ -66,6 +66,10 @@ class Clockwork {
 
  private:
   bool finished() {
+    if (run_.surplus) {
+      run_.cycles = cycle_;
+      return true;
+    }
     if (run_.stop_after != 0 && cycle_ >= run_.stop_after) return run_.stopped = true;
     if (cycle_ - last_transfer_ > run_.options->watchdog) {
       run_.differ(here(Difference::Kind::kHang));

@@ -78,6 +78,7 @@ void Scoreboard::compare(FragmentBlock& block) {
   for (std::size_t i = 0; i < block.fragments.size();) {
     if (!next_golden()) {
       differ(block, i);
+      run_->surplus = true;
       run_->mismatches += block.fragments.size() - i;
       compared_ += block.fragments.size() - i;
       return;
