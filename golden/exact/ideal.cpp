@@ -20,11 +20,22 @@ Vec2 parameter_at(const Corners& corners, const exact::Weights& weights) {
   return (1 / sum) * parameter;
 }
 
+// A texel normal out of the frame that the surface itself has at the point; T and B are the columns of [Peercy97 eq.
+// 7].
+Vec3 from_tangent_space(const SurfacePoint& point, Vec3 texel) {
+  const Vec3 T = normalize(point.Pu - dot(point.Pu, point.N) * point.N);
+  const double sign = dot(point.N, cross(point.Pu, point.Pv)) < 0 ? -1 : 1;
+  return normalize(texel.x * T + (sign * texel.y) * cross(point.N, T) + texel.z * point.N);
+}
+
 // N, L and H of the fragment from the surface point; N' from the height field where the draw is bump mapped.
 void shade_surface(const exact::DrawContext& context, const IdealScene& ideal, const HeightField* height,
                    const SurfacePoint& point, Vec2 parameter, ExactFragment& fragment) {
   fragment.n = point.N;
-  if (context.words.bump && height != nullptr && length(cross(point.Pu, point.Pv)) > 0) {
+  const bool regular = length(cross(point.Pu, point.Pv)) > 0;
+  if (context.words.bump && height == nullptr && regular) {
+    fragment.n = from_tangent_space(point, fragment.texture_n);
+  } else if (context.words.bump && regular) {
     const Vec2 slope = height->gradient(parameter.x, parameter.y);
     const Vec3 perturbed = perturbed_normal_blinn(point.Pu, point.Pv, slope.x, slope.y);
     // The side that is seen may be the one that Pu x Pv points away from.
