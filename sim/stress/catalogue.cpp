@@ -13,10 +13,22 @@ void Extreme::measure(double deviation, const std::string& description) {
   where = description;
 }
 
-Config stress_config() { return Config{}; }
+// The widths that the values of the entries are written for.
+Config stress_config() {
+  Config config;
+  config.vector_bits = 10;
+  config.unit_bits = 9;
+  config.dot_bits = 10;
+  config.subpixel_bits = 8;
+  config.texel_bits = 8;
+  config.depth_bits = 20;
+  config.uv_bits = 18;
+  config.lod_bits = 5;
+  return config;
+}
 
 Config stress_config_wide() {
-  Config config;
+  Config config = stress_config();
   config.datapath = static_cast<int>(Datapath::kPhong);
   config.screen_bits = 12;
   config.guard_bits = 12;
@@ -25,7 +37,7 @@ Config stress_config_wide() {
 }
 
 Config stress_config_perspective() {
-  Config config;
+  Config config = stress_config();
   config.perspective = 1;
   return config;
 }
