@@ -114,6 +114,7 @@ int bench(const Options& options) {
     scalar.push_back(1e-6 * golden_rate(config, stream, frame.textures, Lanes::kScalar));
     progress.at(std::uint64_t(run + 1));
   }
+  progress.clear();
   result["runs"] = options.runs;
   result["rtl_fragments_per_cpu_s"] = median(rtl);
   result["golden_mpixels_per_cpu_s"] = median(simd);

@@ -22,8 +22,7 @@ struct Entry {
 };
 
 std::vector<Entry> entries() {
-  std::vector<Entry> list{
-      {"fig1", "patch_fig1"}, {"fig6", "patch_fig6"}, {"fig7", "patch_fig7"}, {"teapot", "teapot"}};
+  std::vector<Entry> list{{"fig1", "patch_fig1"}, {"fig6", "patch_fig6"}, {"fig7", "patch_fig7"}, {"teapot", "teapot"}};
   const std::filesystem::path assets = shared_assets();
   if (!assets.empty()) list.push_back({"avocado", (assets / "gltf/Avocado/glTF/Avocado.gltf").string()});
   return list;

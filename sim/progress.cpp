@@ -13,7 +13,9 @@ Progress::Progress(std::string label, std::uint64_t total)
   at(0);
 }
 
-Progress::~Progress() {
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
   if (visible_) fmt::print(stderr, "\r\033[K");
 }
 

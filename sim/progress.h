@@ -18,6 +18,8 @@ class Progress {
 
   // Cheap enough to be called often: the line is redrawn at most ten times a second.
   void at(std::uint64_t done, std::string_view note = "");
+  // Takes the line away, for other output.
+  void clear();
 
  private:
   std::string label_;

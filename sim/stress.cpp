@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command.h"
-#include "sim/progress.h"
 #include "sim/stress/catalogue.h"
 
 namespace wrinkle {
@@ -41,7 +40,6 @@ int stress(const Options& options) {
   bool good = true;
   fmt::print(
       " nr  extreme                                              cases      worst      bound  unit         RTL\n");
-  Progress progress("stress", extremes().size());
   for (const ExtremeEntry& entry : extremes()) {
     if (!chosen(options, entry.number)) continue;
     if (!entry.run) {
@@ -68,7 +66,6 @@ int stress(const Options& options) {
                     {"unit", extreme.unit},
                     {"mismatches", mismatches},
                     {"inside", inside}});
-    progress.at(std::uint64_t(entry.number));
   }
   write_json(options.json, {{"equal", good}, {"entries", rows}});
   return good ? kExitEqual : kExitDifferent;

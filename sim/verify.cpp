@@ -76,12 +76,16 @@ bool verify_random(const Options& options, nlohmann::json& runs) {
       wish.fragments = double(std::min(kFrame, options.random - fragments));
       const Frame frame = random_frame(config, wish);
       const BenchResult result = run_bench(config, frame, bench);
-      if (!result.equal()) return verify_frame(config, name, frame, bench, runs);
+      if (!result.equal()) {
+        progress.clear();
+        return verify_frame(config, name, frame, bench, runs);
+      }
       fragments += result.fragments;
       cycles += result.cycles;
       mismatches += result.mismatches;
       progress.at(fragments);
     }
+    progress.clear();
     fmt::print("{:<28} {:<12} {:>9} fragments {:>10} clocks  equal\n",
                fmt::format("random seeds {} to {}", options.rtl.seed, bench.seed), name, fragments, cycles);
     runs.push_back({{"scene", "random"},

@@ -53,14 +53,14 @@ Run replay(const Run& run, Words words, Model& model) {
 
 bool tapped(const Run& run, Stage stage) { return (run.last_taps.stages >> static_cast<int>(stage) & 1) != 0; }
 
-// The first stage that handed on more than there are fragments; else the first that handed on fewer. (What multiplies
-// fragments also holds up the stages before it.)
+// The first stage that handed on more than there are fragments; else the first that handed on fewer in a run that came
+// to its end. (What multiplies fragments also holds up the stages before it.)
 std::string stage_by_count(const Run& run, std::uint64_t total) {
   std::string fewer;
   for (int stage = 0; stage < kStages; ++stage) {
     if (!tapped(run, Stage(stage))) continue;
     if (run.stage_transfers[stage] > total) return kStageNames[stage];
-    if (run.stage_transfers[stage] < total && fewer.empty()) fewer = std::string(kStageNames[stage]);
+    if (run.idle && run.stage_transfers[stage] < total && fewer.empty()) fewer = std::string(kStageNames[stage]);
   }
   return fewer;
 }
@@ -137,10 +137,10 @@ bool name_stage(Difference& d, const Run& run) {
     case Difference::Kind::kValue:
       break;
   }
-  if (name_by_value(d, run, golden.values, 0, 1)) return true;
-  // One too many or too few upstream makes all that follows another fragment's.
+  // One too many or too few makes all that follows another fragment's; scan makes the fragments in the first place.
   d.stage = stage_by_count(run, golden.total);
-  if (!d.stage.empty()) return true;
+  const bool counted = !d.stage.empty() && d.stage != kStageNames[0];
+  if (counted || name_by_value(d, run, golden.values, 0, 1) || !d.stage.empty()) return true;
   if (!name_by_value(d, run, golden.values, 1, kStages)) name_by_port(d, run);
   return true;
 }
@@ -183,7 +183,7 @@ Difference locate(const Run& run, const PacketStream& stream, std::string_view f
 Difference blame(const Run& run, const PacketStream& stream, std::string_view frame_name) {
   Difference d = locate(run, stream, frame_name);
   d.stage = std::string(run.first->stage);
-  if (!run.options->blame) return d;
+  if (!run.options->blame || d.kind == Difference::Kind::kRequest) return d;
   const Words draw = words_of_draw(stream, d.packet);
   for (const Words words : {draw, Words(stream.words)}) {
     Model model(build_model(*run.config, run.options->model, run.options->progress), run.options->seed);

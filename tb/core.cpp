@@ -83,7 +83,7 @@ class Clockwork {
       return false;
     }
     if (drained_ == 0) run_.cycles = cycle_;
-    return ++drained_ > kDrain;
+    return run_.idle = ++drained_ > kDrain;
   }
 
   bool next_words() {
@@ -121,7 +121,7 @@ class Clockwork {
     const bool response_taken = pins_.texel_response_valid && pins_.texel_response_ready;
     const bool fragment_taken = pins_.fragment_valid && pins_.fragment_ready;
     if (request_taken && !quads_.request(pins_.texel_request_a, pins_.texel_request_b, cycle_) && !run_.bad_request) {
-      run_.bad_request = here(Difference::Kind::kRequest);
+      run_.bad_request = here(Difference::Kind::kRequest, "texture");
     }
     if (fragment_taken) emit(out);
     if (packet_taken || request_taken || response_taken || fragment_taken) last_transfer_ = cycle_;

@@ -51,6 +51,7 @@ struct Run {
   std::uint64_t fragments = 0, cycles = 0, mismatches = 0, zero_vectors = 0;
   std::optional<FirstDifference> first, bad_request;
   bool stopped = false;
+  bool idle = false;     // the core came to its end by itself
   bool surplus = false;  // the golden model has ended and the RTL has not: it may never
   std::uint64_t stage_transfers[kStages] = {};
   Taps last_taps;  // at the end of a tapped run
