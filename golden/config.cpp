@@ -48,6 +48,7 @@ IllegalParameter illegal(std::string key, int value, const std::string& range, c
 
 int interpolate_bits(const Config& c) {
   int width = c.vector_width();
+  if (c.has_blinn()) width = std::max(width, c.wide_width());
   if (c.has_texture()) width = std::max(width, c.uv_width());
   if (c.has_texture() && c.perspective != 0) width = std::max({width, c.q_bits, 6 + c.lod_fraction_bits()});
   if (c.depth != 0) width = std::max(width, c.depth_bits);
@@ -69,25 +70,41 @@ int texture_bits(const Config& c) {
   return std::max({scaled_coordinate, doubled_code, c.vector_width()});
 }
 
-int normalize_bits(const Config& c) {
+int perturb_bits(const Config& c) {
+  // The three terms of N', each below 2^(VW + 1 + GB), and the half that rounds.
+  return c.has_blinn() ? c.wide_bits + c.gradient_bits + 5 : 0;
+}
+
+// One unit, for vectors in s1.V.
+int unit_bits_of(const Config& c, int vector_bits) {
   const RsqrtGeometry& g = rsqrt_geometry(c.unit_bits);
-  const int magnitude = c.vector_bits + 1;
+  const int magnitude = vector_bits + 1;
   const int sum = std::max(2 * magnitude + 3, g.input_bits + 1);
   const int table = g.output_bits + g.guard_bits + 2 + g.offset_bits();
   const int product = magnitude + g.output_bits + 2;
-  const int bypass = std::max(c.vector_width(), c.unit_bits + 2) + 1;
+  const int bypass = std::max(vector_bits, c.unit_bits) + 3;
   return std::max({sum, table, product, bypass});
 }
+
+// V of the unit with the widest input.
+int widest_unit_input_bits(const Config& c) {
+  const int sum_of_two = c.is(Lighting::kPixelHalfangle) ? c.unit_bits + 1 : 0;
+  return std::max({c.vector_bits, c.normal_unit_input_bits(), sum_of_two});
+}
+
+int normalize_bits(const Config& c) { return unit_bits_of(c, widest_unit_input_bits(c)); }
 
 int light_bits(const Config& c) {
   const auto magnitude = [&](int normalizer) {
     return c.unit_bits + (normalizer == static_cast<int>(Normalizer::kNone) ? 1 : 0);
   };
   const int other =
-      c.has_halfangle() ? std::max(magnitude(c.normalizer_l), magnitude(c.normalizer_h)) : magnitude(c.normalizer_l);
+      c.has_specular() ? std::max(magnitude(c.normalizer_l), magnitude(c.normalizer_h)) : magnitude(c.normalizer_l);
   const int dot = magnitude(c.normalizer_n) + other + 3;
   const int shift = c.dot_bits + 5;
-  return std::max({dot, shift, 2 * c.dot_bits + 2, 2 * c.power_bits + 2});
+  // 2 (N.L) (N.E) - L.E, each product of two factors up to 2^F.
+  const int reflected = c.is(Lighting::kReflection) ? dot + 2 : 0;
+  return std::max({dot, reflected, shift, 2 * c.dot_bits + 2, 2 * c.power_bits + 2});
 }
 
 int output_bits(const Config& c) {
@@ -109,6 +126,21 @@ std::span<const Parameter> parameters() {
   return list;
 }
 
+// What the normalizers and the parts before them demand of each other.
+static IllegalParameter check_normalizers(const Config& c) {
+  const auto kind = [](int normalizer) { return static_cast<Normalizer>(normalizer); };
+  const auto reject = [](std::string key, int normalizer, const std::string& reason) {
+    return IllegalParameter{key, key + " = " + (normalizer == 0 ? "none" : "near") + " is not legal: " + reason};
+  };
+  const bool bounded = kind(c.normalizer_n) == Normalizer::kFaithful || kind(c.normalizer_n) == Normalizer::kLite;
+  if (c.has_blinn() && !bounded)
+    return reject("normalizer_n", c.normalizer_n, "the length of Pu x Pv - fu Pv x N - fv N x Pu is anything");
+  const bool sum_bounded = kind(c.normalizer_h) == Normalizer::kFaithful || kind(c.normalizer_h) == Normalizer::kLite;
+  if (c.is(Lighting::kPixelHalfangle) && !sum_bounded)
+    return reject("normalizer_h", c.normalizer_h, "the length of L + E is anything up to 2");
+  return {};
+}
+
 IllegalParameter check(const Config& config) {
   for (const Parameter& parameter : parameters())
     if (auto fault = check_range(config, parameter); !fault.key.empty()) return fault;
@@ -121,17 +153,19 @@ IllegalParameter check(const Config& config) {
   if (config.perspective != 0 && config.reciprocal_bits < config.q_bits - 1)
     return illegal("reciprocal_bits", config.reciprocal_bits, "at least " + std::to_string(config.q_bits - 1),
                    "u q times 1/q is scaled by a right shift only, of reciprocal_bits less the leading zeros of q");
-  return {};
+  if (config.is(Datapath::kRotated) && !config.has_light_planes())
+    return {"light_vectors", "light_vectors = constant is not legal: L and H turn with the frame of datapath = rotated"};
+  return check_normalizers(config);
 }
 
 int widest_operand_bits(const Config& config) {
-  return std::max({interpolate_bits(config), perspective_bits(config), texture_bits(config), normalize_bits(config),
-                   light_bits(config), output_bits(config)});
+  return std::max({interpolate_bits(config), perspective_bits(config), texture_bits(config), perturb_bits(config),
+                   normalize_bits(config), light_bits(config), output_bits(config)});
 }
 
 int lane_bits(const Config& config) {
   // Factors that the pixel stages multiply as halves of a lane: m, r, and intensities up to 1.
-  const int magnitude = config.vector_bits + 1, root = rsqrt_geometry(config.unit_bits).output_bits + 1;
+  const int magnitude = widest_unit_input_bits(config) + 1, root = rsqrt_geometry(config.unit_bits).output_bits + 1;
   const int intensity = config.power_bits + 1, colour = config.colour_bits + 1;
   const bool halves_fit = std::max({magnitude, root, intensity, colour}) <= 15;
   return widest_operand_bits(config) <= 32 && halves_fit ? 32 : 64;

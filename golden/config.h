@@ -9,9 +9,14 @@
 
 namespace wrinkle {
 
-enum class Datapath { kPhong, kTangent };
-enum class Lighting { kDiffuse, kHalfangle };
-enum class Normalizer { kNone, kFaithful };
+enum class Datapath { kPhong, kTangent, kBlinn, kRotated };
+enum class CrossProducts { kInterpolated, kConstant };
+enum class BlockExponent { kTriangle, kDraw };
+enum class LightVectors { kInterpolated, kConstant };
+enum class Lighting { kDiffuse, kHalfangle, kReflection, kPixelHalfangle };
+enum class Normalizer { kNone, kFaithful, kLite, kNear };
+enum class NormalizeOrder { kBefore, kAfter };
+enum class NormalizerSharing { kThree, kShared };
 enum class SelfShadow { kOff, kHard, kSmooth };
 enum class Filter { kNearest, kBilinear, kTrilinear };
 enum class Decode { kRange, kOffset };
@@ -29,12 +34,35 @@ struct Config {
 
   bool operator==(const Config&) const = default;
 
-  bool has_bump() const { return datapath == static_cast<int>(Datapath::kTangent); }
+  bool is(Datapath value) const { return datapath == static_cast<int>(value); }
+  bool is(Lighting value) const { return lighting == static_cast<int>(value); }
+
+  // Pu x Pv, Pv x N, N x Pu and a texture of fu, fv [Peercy97 fig. 2].
+  bool has_blinn() const { return is(Datapath::kBlinn); }
+  // A texture of normals [Peercy97 fig. 3].
+  bool has_texture_normal() const { return is(Datapath::kTangent); }
+  bool has_bump() const { return has_blinn() || has_texture_normal(); }
+  // N interpolated; a normal that is perturbed and normalized. The rotated frame has N = (0, 0, 1).
+  bool has_normal_planes() const { return is(Datapath::kPhong) || has_texture_normal(); }
+  bool has_normal() const { return !is(Datapath::kRotated); }
+  bool has_cross_planes() const {
+    return has_blinn() && cross_products == static_cast<int>(CrossProducts::kInterpolated);
+  }
+  // L and H (or E) interpolated and normalized; else constants of the draw.
+  bool has_light_planes() const { return light_vectors == static_cast<int>(LightVectors::kInterpolated); }
+  // A third vector, H or the view vector E, and with it a highlight.
+  bool has_specular() const { return !is(Lighting::kDiffuse); }
+  bool has_view_vector() const { return is(Lighting::kReflection) || is(Lighting::kPixelHalfangle); }
   bool has_texture() const { return has_bump() || decal != 0; }
-  bool has_halfangle() const { return lighting == static_cast<int>(Lighting::kHalfangle); }
   bool trilinear() const { return filter == static_cast<int>(Filter::kTrilinear); }
   int channel_count() const { return channels == 0 ? 1 : 3; }
   int vector_width() const { return vector_bits + 2; }
+  int wide_width() const { return wide_bits + 2; }
+  // The perturbed normal: s1.V, or s2.VW with Pu x Pv and its companions.
+  int normal_vector_bits() const { return has_blinn() ? wide_bits : vector_bits; }
+  int normal_vector_width() const { return has_blinn() ? wide_bits + 3 : vector_width(); }
+  // V of the contract of the unit that normalizes N: its input is s1.V.
+  int normal_unit_input_bits() const { return has_blinn() ? wide_bits + 1 : vector_bits; }
   int uv_width() const { return uv_integer_bits + uv_bits; }
   int lod_fraction_bits() const { return trilinear() ? lod_bits : 0; }
   int weight_fraction_bits() const { return filter == static_cast<int>(Filter::kNearest) ? 0 : weight_bits; }
@@ -45,7 +73,11 @@ struct Config {
     const int fraction = kMaxLog2Size + weight_fraction_bits() + 1;
     return fraction > uv_bits ? fraction - uv_bits : 0;
   }
-  int texel_components() const { return (has_bump() ? 3 : 0) + (decal != 0 ? 3 : 0); }
+  // Of the bump map: a normal, or fu and fv.
+  int bump_components() const { return has_blinn() ? 2 : has_texture_normal() ? 3 : 0; }
+  int texel_components() const { return bump_components() + (decal != 0 ? 3 : 0); }
+  // Words of a draw packet.
+  int draw_words() const { return has_light_planes() ? 4 : 6; }
   int edge_bits() const { return screen_bits + subpixel_bits + 2; }
   int screen_size() const { return 1 << screen_bits; }
 };

@@ -54,12 +54,15 @@ enum class ValueIndex : int {
 };
 inline constexpr int kValues = static_cast<int>(ValueIndex::count);
 
+// A wire of at most 128 bits.
+using TapWire = unsigned __int128;
+
 // What the wires between the stages of wrinkle_core hold. A stage or value the netlist lacks has its bit clear.
 struct Taps {
   std::uint32_t stages = 0;            // which stages have valid and ready wires
   std::uint32_t valid = 0, ready = 0;  // bit per stage
   std::uint64_t present = 0;           // which values have a wire
-  std::uint64_t values[kValues] = {};  // as on the wire: element 0 in the low bits, each `width` wide
+  TapWire values[kValues] = {};        // as on the wire: element 0 in the low bits, each `width` wide
 };
 
 // What a model library exports as `wrinkle_model`.

@@ -2,9 +2,9 @@
 
 namespace wrinkle {
 
-std::int64_t unpack(const Value& value, std::uint64_t wire, int element) {
+std::int64_t unpack(const Value& value, TapWire wire, int element) {
   const std::uint64_t sign = std::uint64_t{1} << (value.width - 1);
-  const std::uint64_t bits = (wire >> (element * value.width)) & (sign | (sign - 1));
+  const std::uint64_t bits = static_cast<std::uint64_t>(wire >> (element * value.width)) & (sign | (sign - 1));
   return static_cast<std::int64_t>(value.is_signed ? (bits ^ sign) - sign : bits);
 }
 

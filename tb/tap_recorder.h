@@ -28,6 +28,6 @@ class TapRecorder {
 };
 
 // Element of a packed wire, sign-extended where the value is signed.
-std::int64_t unpack(const Value& value, std::uint64_t wire, int element);
+std::int64_t unpack(const Value& value, TapWire wire, int element);
 
 }  // namespace wrinkle

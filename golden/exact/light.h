@@ -24,7 +24,7 @@ inline Lit light(const Config& config, const DrawWords& draw, Vec3 n, Vec3 l, Ve
   Lit lit;
   lit.nl = cosine(dot(n, l));
   lit.diffuse = lit.nl;
-  if (config.has_halfangle()) {
+  if (config.has_specular()) {
     lit.nh = cosine(dot(n, h));
     lit.specular = draw.exponent_zero ? 1 : lit.nh;
     for (int i = 0; !draw.exponent_zero && i < draw.squarings; ++i) lit.specular *= lit.specular;

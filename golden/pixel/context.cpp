@@ -26,7 +26,8 @@ Context make_context(const Config& config) {
   Context context;
   context.config = config;
   for (const ComponentFormat& format : component_formats(config))
-    context.planes.push_back({format.component, format.width, format.is_signed});
+    context.planes.push_back(
+        {format.component, format.width, format.is_constant ? 0 : config.guard_bits, format.is_signed});
   context.rsqrt = rsqrt_geometry(config.unit_bits);
   context.reciprocal = {config.q_bits, config.reciprocal_bits};
   fill(context, context.narrow);

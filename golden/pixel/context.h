@@ -43,6 +43,7 @@ struct Constants {
 struct Plane {
   Component component;
   int width;  // without guard bits
+  int guard_bits;
   bool is_signed;
 };
 

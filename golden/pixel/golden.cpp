@@ -89,16 +89,17 @@ struct Golden::State {
   void draw(std::span<const std::uint64_t> words, const std::function<void(const Batch<Int>&)>& hand) {
     Gatherer<Int> gatherer(lanes, context, hand);
     const auto triangle_words = static_cast<std::size_t>(triangle_word_count(context.config));
+    const auto draw_words = static_cast<std::size_t>(context.config.draw_words());
     std::uint32_t packet = 0;
     while (!words.empty()) {
       const bool is_triangle = (words[0] & 15) == kOpcodeTriangle;
-      const std::size_t size = is_triangle ? triangle_words : kDrawWords;
+      const std::size_t size = is_triangle ? triangle_words : draw_words;
       if (words.size() < size) throw std::invalid_argument("the last packet is cut short");
       if (is_triangle) {
         gatherer.add(decode_triangle(context.config, words.first(size)), packet++);
       } else {
         gatherer.flush();
-        const DrawWords state = decode_draw(words.first(size));
+        const DrawWords state = decode_draw(context.config, words.first(size));
         set_draw(context, state, texture_of(state));
       }
       words = words.subspan(size);

@@ -33,6 +33,18 @@ Int* plane_column(Batch<Int>& batch, Component component) {
     case Component::kHy:
     case Component::kHz:
       return vector(batch.interpolate_h, Component::kHx);
+    case Component::kAx:
+    case Component::kAy:
+    case Component::kAz:
+      return vector(batch.interpolate_a, Component::kAx);
+    case Component::kBx:
+    case Component::kBy:
+    case Component::kBz:
+      return vector(batch.interpolate_b, Component::kBx);
+    case Component::kCx:
+    case Component::kCy:
+    case Component::kCz:
+      return vector(batch.interpolate_c, Component::kCx);
     case Component::kU:
       return batch.interpolate_u[0].data();
     case Component::kV:

@@ -52,7 +52,7 @@ void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
     const auto factor = shadow ? shadow_factor(l, c, l.load(&batch.normalize_l[2][i]), nl) : l.set(1 << df);
     l.store(nl, &batch.light_nl[0][i]);
     l.store(shadow ? round_half_up(l, l.mul_half(nl, factor), df) : nl, &batch.light_diffuse[0][i]);
-    if (!c.config.has_halfangle()) continue;
+    if (!c.config.has_specular()) continue;
     const auto nh = clamped_dot(l, c.config, batch.normalize_n, batch.normalize_h, i);
     const auto p = power(l, c, nh);
     l.store(nh, &batch.light_nh[0][i]);

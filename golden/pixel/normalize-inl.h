@@ -109,7 +109,7 @@ void normalize(const L& l, const Context& c, Batch<typename L::Int>& batch) {
   std::fill_n(zero.begin(), batch.count, 0);
   normalize_unit(l, c, c.config.normalizer_n, batch.perturb_n, batch.normalize_n, zero, batch.count);
   normalize_unit(l, c, c.config.normalizer_l, batch.interpolate_l, batch.normalize_l, zero, batch.count);
-  if (c.config.has_halfangle())
+  if (c.config.has_specular())
     normalize_unit(l, c, c.config.normalizer_h, batch.interpolate_h, batch.normalize_h, zero, batch.count);
 }
 

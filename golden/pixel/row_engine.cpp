@@ -11,10 +11,11 @@ RowEngine<Int>::RowEngine(const Context& context, const TriangleWords& triangle)
       end1_(triangle.end1),
       rows_(triangle.rows),
       rows_end0_(triangle.rows_end0),
-      first_y_(triangle.y) {
+      first_y_(triangle.y),
+      planes_(context.config.has_blinn() ? kPlanes : kPlanesWithoutCross) {
   for (const Plane& plane : context.planes) {
     const auto i = static_cast<std::size_t>(plane.component);
-    const int up = static_cast<int>(8 * sizeof(Int)) - plane.width - context.config.guard_bits;
+    const int up = static_cast<int>(8 * sizeof(Int)) - plane.width - plane.guard_bits;
     const auto align = [up](std::int64_t x) { return static_cast<Int>(static_cast<std::uint64_t>(x) << up); };
     value_[i] = align(triangle.planes[i].value);
     step_[i] = align(triangle.planes[i].row);
@@ -26,7 +27,7 @@ template <class Int>
 void RowEngine<Int>::step_down() {
   using Unsigned = std::make_unsigned_t<Int>;
   const auto carried = static_cast<Unsigned>(start_.step() ? 1 : 0);
-  for (std::size_t i = 0; i < kPlanes; ++i) {
+  for (std::size_t i = 0; i < planes_; ++i) {
     const auto step = static_cast<Unsigned>(step_[i]) + carried * static_cast<Unsigned>(dw_[i]);
     value_[i] = static_cast<Int>(static_cast<Unsigned>(value_[i]) + step);
   }

@@ -44,6 +44,7 @@ class RowEngine {
   EdgeWalk start_, end_, end1_;
   int row_ = 0, rows_, rows_end0_, first_y_;
   int w_ = 0, count_ = 0, y_ = 0;
+  std::size_t planes_;  // that step
   alignas(64) Planes<Int> value_{}, step_{}, dw_{};
 };
 

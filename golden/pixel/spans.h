@@ -8,8 +8,10 @@
 
 namespace wrinkle {
 
-// Planes padded to a whole number of vectors.
-inline constexpr std::size_t kPlanes = 16;
+// Planes padded to a whole number of vectors; where there is no Pu x Pv the first of them are enough.
+inline constexpr std::size_t kPlanes = 24;
+inline constexpr std::size_t kPlanesWithoutCross = 16;
+static_assert(kPlanesWithoutCross >= static_cast<std::size_t>(Component::kAx));
 static_assert(kPlanes >= static_cast<std::size_t>(kComponents));
 
 // By Component. Accumulators are left-aligned in Int: the low (bits of Int - width - G) bits are 0.

@@ -11,7 +11,7 @@ namespace {
 // visit.next_word() where a word is left unfilled; Draw and Triangle are const for a writer and not for a reader.
 
 template <class Draw, class Visit>
-void draw_fields(Draw& draw, Visit& visit) {
+void draw_fields(const Config& config, Draw& draw, Visit& visit) {
   unsigned opcode = kOpcodeDraw;
   visit(opcode, 4, false);
   visit(draw.bump, 1, false);
@@ -30,6 +30,11 @@ void draw_fields(Draw& draw, Visit& visit) {
     for (auto& channel : *colour) visit(channel, 16, false);
   }
   visit.next_word();
+  if (config.has_light_planes()) return;
+  for (auto* vector : {&draw.l, &draw.h}) {
+    for (auto& component : *vector) visit(component, config.unit_bits + 2, true);
+    visit.next_word();
+  }
 }
 
 template <class Triangle, class Visit>
@@ -56,6 +61,10 @@ void plane_fields(const Config& config, Triangle& triangle, Visit& visit) {
   for (const ComponentFormat& format : component_formats(config)) {
     auto& plane = triangle.planes[static_cast<std::size_t>(format.component)];
     const int bits = format.width + config.guard_bits;
+    if (format.is_constant) {
+      visit(plane.value, format.width, true);
+      continue;
+    }
     visit(plane.value, bits, true);
     visit(plane.row, bits, true);
     visit(plane.dw, bits, true);
@@ -138,9 +147,20 @@ std::vector<ComponentFormat> component_formats(const Config& config) {
   const auto add_vector = [&](Component x, Component y, Component z) {
     for (Component component : {x, y, z}) add(component, config.vector_width(), config.vector_bits, true);
   };
-  add_vector(Component::kNx, Component::kNy, Component::kNz);
-  add_vector(Component::kLx, Component::kLy, Component::kLz);
-  if (config.has_halfangle()) add_vector(Component::kHx, Component::kHy, Component::kHz);
+  const auto add_wide_vector = [&](Component x, Component y, Component z, bool is_constant) {
+    for (Component component : {x, y, z})
+      formats.push_back({component, config.wide_width(), config.wide_bits, true, is_constant});
+  };
+  if (config.has_normal_planes()) add_vector(Component::kNx, Component::kNy, Component::kNz);
+  if (config.has_blinn()) {
+    add_wide_vector(Component::kAx, Component::kAy, Component::kAz, false);
+    add_wide_vector(Component::kBx, Component::kBy, Component::kBz, !config.has_cross_planes());
+    add_wide_vector(Component::kCx, Component::kCy, Component::kCz, !config.has_cross_planes());
+  }
+  if (config.has_light_planes()) {
+    add_vector(Component::kLx, Component::kLy, Component::kLz);
+    if (config.has_specular()) add_vector(Component::kHx, Component::kHy, Component::kHz);
+  }
   if (config.has_texture()) {
     add(Component::kU, config.uv_width(), config.uv_bits, true);
     add(Component::kV, config.uv_width(), config.uv_bits, true);
@@ -167,9 +187,9 @@ int plane_word_count(const Config& config) {
   return counter.words();
 }
 
-void encode(const Config&, const DrawWords& draw, std::vector<std::uint64_t>& words) {
+void encode(const Config& config, const DrawWords& draw, std::vector<std::uint64_t>& words) {
   Writer writer(words);
-  draw_fields(draw, writer);
+  draw_fields(config, draw, writer);
 }
 
 void encode(const Config& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words) {
@@ -178,11 +198,11 @@ void encode(const Config& config, const TriangleWords& triangle, std::vector<std
   plane_fields(config, triangle, writer);
 }
 
-DrawWords decode_draw(std::span<const std::uint64_t> words) {
+DrawWords decode_draw(const Config& config, std::span<const std::uint64_t> words) {
   expect_opcode(words, kOpcodeDraw);
   DrawWords draw;
   Reader reader(words);
-  draw_fields(draw, reader);
+  draw_fields(config, draw, reader);
   return draw;
 }
 

@@ -14,7 +14,6 @@ namespace wrinkle {
 
 inline constexpr unsigned kOpcodeDraw = 1;
 inline constexpr unsigned kOpcodeTriangle = 2;
-inline constexpr int kDrawWords = 4;
 
 // The draw state as the hardware holds it.
 struct DrawWords {
@@ -24,6 +23,7 @@ struct DrawWords {
   int texture = 0;
   int squarings = 0;
   std::array<int, 3> ambient{}, diffuse{}, specular{};  // u1.C
+  std::array<int, 3> l{}, h{};  // s1.F; constant light vectors: L, and H or E; else 0
 
   bool operator==(const DrawWords&) const = default;
 };
@@ -34,21 +34,29 @@ struct EdgeWords {
 };
 
 // One interpolated component; all three modulo 2^(width + G), kept as the residue of that many bits that is
-// sign-extended.
+// sign-extended. Of a constant one `value` modulo 2^width.
 struct PlaneWords {
   std::int64_t value = 0, row = 0, dw = 0;
   bool operator==(const PlaneWords&) const = default;
 };
 
-// The components of `interpolate`, in packet order. A configuration has a subset of them.
-enum class Component { kNx, kNy, kNz, kLx, kLy, kLz, kHx, kHy, kHz, kU, kV, kQ, kLod, kZ };
-inline constexpr int kComponents = 14;
+// The components of `interpolate`. A configuration has a subset of them; component_formats() has their order.
+enum class Component {
+  kNx, kNy, kNz, kLx, kLy, kLz,
+  kHx, kHy, kHz,  // or the view vector
+  kU, kV, kQ, kLod, kZ,
+  kAx, kAy, kAz,  // Pu x Pv, Pv x N and N x Pu [Peercy97 fig. 2]
+  kBx, kBy, kBz,
+  kCx, kCy, kCz
+};
+inline constexpr int kComponents = 23;
 
 struct ComponentFormat {
   Component component;
   int width;          // without guard bits
   int fraction_bits;  // of the output
   bool is_signed;
+  bool is_constant = false;  // over a triangle: `value` alone is sent, without guard bits, rounded by set-up
 };
 // The planes a configuration has, in packet order. (Lod is among them only with perspective; else it is a constant
 // field.)
@@ -70,7 +78,7 @@ inline int triangle_word_count(const Config& config) { return scan_word_count(co
 
 void encode(const Config& config, const DrawWords& draw, std::vector<std::uint64_t>& words);
 void encode(const Config& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words);
-DrawWords decode_draw(std::span<const std::uint64_t> words);
+DrawWords decode_draw(const Config& config, std::span<const std::uint64_t> words);
 TriangleWords decode_triangle(const Config& config, std::span<const std::uint64_t> words);
 
 // A colour as the configured channels: three, or one, the luminance (Rec. 709), in x.

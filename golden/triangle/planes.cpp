@@ -43,7 +43,7 @@ class Attributes {
   Attributes(const Config& config, const Corners& corners, const DrawWords& draw) : config_(config), corners_(corners) {
     vector(Component::kNx, &ScreenVertex::N, config.normalizer_n);
     vector(Component::kLx, &ScreenVertex::L, config.normalizer_l);
-    if (config.has_halfangle()) vector(Component::kHx, &ScreenVertex::H, config.normalizer_h);
+    if (config.has_specular()) vector(Component::kHx, &ScreenVertex::H, config.normalizer_h);
     for (std::size_t i = 0; i < 3; ++i) values_[at(Component::kZ)][i] = depth_in_format(config, corners.v[i]->z);
     // What no texel is fetched for need not fit.
     if (draw.textured) {

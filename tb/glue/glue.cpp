@@ -8,6 +8,7 @@
 #endif
 
 #include <memory>
+#include <type_traits>
 
 #include "tb/model.h"
 
@@ -85,6 +86,18 @@ void dump(Instance& model) {
 void dump(Instance&) {}
 #endif
 
+// What is wider than 64 bits is a VlWide of 32-bit words.
+template <class Wire>
+wrinkle::TapWire whole(const Wire& wire) {
+  if constexpr (std::is_integral_v<Wire>) {
+    return static_cast<std::uint64_t>(wire);
+  } else {
+    wrinkle::TapWire value = 0;
+    for (std::size_t word = sizeof(Wire) / 4; word-- > 0;) value = value << 32 | wire[word];
+    return value;
+  }
+}
+
 // A template, so that a wire the configuration lacks is skipped instead of an error.
 template <class Root>
 void sample(const Root& root, Taps& taps) {
@@ -104,7 +117,7 @@ void sample(const Root& root, Taps& taps) {
   if constexpr (requires { root.wrinkle_core__DOT__##stage##_##name; }) {                      \
     constexpr int index = static_cast<int>(wrinkle::ValueIndex::stage##_##name);               \
     taps.present |= 1ULL << index;                                                             \
-    taps.values[index] = static_cast<std::uint64_t>(root.wrinkle_core__DOT__##stage##_##name); \
+    taps.values[index] = whole(root.wrinkle_core__DOT__##stage##_##name);                      \
   }
 #include "golden/pixel/components.def"
 #undef WRINKLE_VALUE

@@ -65,8 +65,8 @@ TEST(Packet, DrawsComeBackFromTheirWords) {
     for (auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular}) *colour = {field(16), field(16), field(16)};
     std::vector<std::uint64_t> words;
     encode(config, draw, words);
-    ASSERT_EQ(words.size(), static_cast<std::size_t>(kDrawWords));
-    ASSERT_EQ(decode_draw(words), draw);
+    ASSERT_EQ(words.size(), static_cast<std::size_t>(config.draw_words()));
+    ASSERT_EQ(decode_draw(config, words), draw);
   }
 }
 
@@ -135,7 +135,7 @@ TEST(Packet, WhatIsCutShortOrOfAnotherOpcodeIsRefused) {
   const Config config = fixed_widths();
   std::vector<std::uint64_t> words;
   encode(config, TriangleWords{}, words);
-  EXPECT_THROW(decode_draw(words), std::invalid_argument);
+  EXPECT_THROW(decode_draw(config, words), std::invalid_argument);
   words.pop_back();
   EXPECT_THROW(decode_triangle(config, words), std::invalid_argument);
   EXPECT_THROW(decode_triangle(config, {}), std::invalid_argument);

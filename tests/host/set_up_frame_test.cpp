@@ -83,8 +83,8 @@ TEST(SetUp, AFrameBecomesAStreamWithItsIndex) {
   std::size_t next = 0, draws = 0;
   for (std::size_t i = 0; i < stream.packet_word.size(); ++i) {
     if (draws < stream.draw_word.size() && stream.draw_word[draws] == next) {
-      EXPECT_EQ(decode_draw(std::span(stream.words).subspan(next)).bump, true);
-      next += kDrawWords;
+      EXPECT_EQ(decode_draw(config, std::span(stream.words).subspan(next)).bump, true);
+      next += static_cast<std::size_t>(config.draw_words());
       ++draws;
     }
     ASSERT_EQ(stream.packet_word[i], next);

@@ -56,7 +56,7 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
         smooth.see(error);
       else if (!shadowed || !draw.bump || !at_edge)
         diffuse.see(error);
-      if (!config.has_halfangle()) continue;
+      if (!config.has_specular()) continue;
       nh.see(got(batch->light_nh) - one * lit.nh);
       if (!shadowed)
         power.see((got(batch->light_specular) - std::ldexp(lit.specular, config.power_bits)) /

@@ -27,7 +27,7 @@ TEST(Output, ColourStaysWithinItsBound) {
       for (std::size_t i = 0; i < kBatch; ++i) {
         exact::Lit lit;
         lit.diffuse = std::ldexp(static_cast<double>(batch->light_diffuse[0][i]), -config.dot_bits);
-        if (config.has_halfangle())
+        if (config.has_specular())
           lit.specular = std::ldexp(static_cast<double>(batch->light_specular[0][i]), -config.power_bits);
         const double code = static_cast<double>(batch->texture_decal[k][i]) / ((1 << config.texel_bits) - 1);
         const double exact = exact::shade(unit(context.draw.ambient[k]), unit(context.draw.diffuse[k]),
