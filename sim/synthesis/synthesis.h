@@ -22,7 +22,8 @@ using VerilogParameters = std::map<std::string, std::int64_t>;
 struct SynthesisOptions {
   // Sums become ripples and trees of the library's full adder; off: Yosys's own adders in simple gates. Standard cells.
   bool full_adders = true;
-  // Name of a script scripts/EFFORT.abc: `area`, or `speed`, with buffers and sized gates. Standard cells.
+  // Name of a script scripts/EFFORT.abc: `area`, smallest gates, then buffers and sizes; `speed`, the same for delay;
+  // `unbuffered`, smallest gates alone, whose path through a net of many loads means nothing. Standard cells.
   std::string effort = "area";
   // iCE40: place and route, on an UP5K, between shift registers that stand in for pins.
   bool place_and_route = false;

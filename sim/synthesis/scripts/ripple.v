@@ -11,9 +11,14 @@ module wrinkle_map_alu (A, B, CI, BI, X, Y, CO);
   input CI, BI;
   output [Y_WIDTH-1:0] X, Y, CO;
 
+  // An operand that is 0 arrives without a bit.
   wire [Y_WIDTH-1:0] a, b_extended;
-  \$pos #(.A_SIGNED(A_SIGNED), .A_WIDTH(A_WIDTH), .Y_WIDTH(Y_WIDTH)) extend_a (.A(A), .Y(a));
-  \$pos #(.A_SIGNED(B_SIGNED), .A_WIDTH(B_WIDTH), .Y_WIDTH(Y_WIDTH)) extend_b (.A(B), .Y(b_extended));
+  generate
+    if (A_WIDTH < 1) assign a = {Y_WIDTH{1'b0}};
+    else \$pos #(.A_SIGNED(A_SIGNED), .A_WIDTH(A_WIDTH), .Y_WIDTH(Y_WIDTH)) extend_a (.A(A), .Y(a));
+    if (B_WIDTH < 1) assign b_extended = {Y_WIDTH{1'b0}};
+    else \$pos #(.A_SIGNED(B_SIGNED), .A_WIDTH(B_WIDTH), .Y_WIDTH(Y_WIDTH)) extend_b (.A(B), .Y(b_extended));
+  endgenerate
   wire [Y_WIDTH-1:0] b = BI ? ~b_extended : b_extended;
   wire [Y_WIDTH:0] carry;
 
