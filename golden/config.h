@@ -53,6 +53,8 @@ struct Config {
   // A third vector, H or the view vector E, and with it a highlight.
   bool has_specular() const { return !is(Lighting::kDiffuse); }
   bool has_view_vector() const { return is(Lighting::kReflection) || is(Lighting::kPixelHalfangle); }
+  // Of what is interpolated in the place of H.
+  int third_normalizer() const { return is(Lighting::kPixelHalfangle) ? normalizer_l : normalizer_h; }
   bool has_texture() const { return has_bump() || decal != 0; }
   bool trilinear() const { return filter == static_cast<int>(Filter::kTrilinear); }
   int channel_count() const { return channels == 0 ? 1 : 3; }

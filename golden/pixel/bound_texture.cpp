@@ -22,9 +22,10 @@ int source(int position, int size, Wrap wrap) {
 
 BoundTexture bind_texture(const Texture& texture, Wrap wrap_u, Wrap wrap_v) {
   BoundTexture bound;
-  const int half_bits = 3 * texture.component_bits;
-  const std::uint64_t half_mask = (std::uint64_t{1} << half_bits) - 1;
   const bool has_second = texture.components > 3;
+  const int first_components = has_second ? texture.components - 3 : texture.components;
+  const int first_bits = first_components * texture.component_bits;
+  const std::uint64_t first_mask = (std::uint64_t{1} << first_bits) - 1;
   for (std::size_t level = 0; level < texture.levels.size(); ++level) {
     const int width = texture.width(static_cast<int>(level)), height = texture.height(static_cast<int>(level));
     const int columns = extent(width, wrap_u), rows = extent(height, wrap_v);
@@ -34,8 +35,8 @@ BoundTexture bind_texture(const Texture& texture, Wrap wrap_u, Wrap wrap_v) {
       const auto row = static_cast<std::size_t>(source(y, height, wrap_v)) * static_cast<std::size_t>(width);
       for (int x = 0; x < columns; ++x) {
         const std::uint64_t texel = texture.levels[level][row + static_cast<std::size_t>(source(x, width, wrap_u))];
-        bound.low.push_back(static_cast<std::uint32_t>(texel & half_mask));
-        if (has_second) bound.high.push_back(static_cast<std::uint32_t>(texel >> half_bits & half_mask));
+        bound.low.push_back(static_cast<std::uint32_t>(texel & first_mask));
+        if (has_second) bound.high.push_back(static_cast<std::uint32_t>(texel >> first_bits));
       }
     }
   }

@@ -13,7 +13,8 @@ namespace wrinkle {
 inline constexpr std::size_t kLevels = 16;
 
 struct BoundTexture {
-  // Texel (x, y) of a level is [offset + y * stride + x]: its components 0-2, and 3-5 where it has them.
+  // Texel (x, y) of a level is [offset + y * stride + x]: in `low` its first components, the bump map
+  // (a normal, or fu and fv) or else the decal; in `high` a decal that follows.
   // repeat: x in [0, W]; mirror: [0, 2 W]; clamp: [0, W + 1], shifted by one, so that 0 is left of the texture.
   std::vector<std::uint32_t> low, high;
   std::array<std::int32_t, kLevels> offset{}, stride{};

@@ -14,11 +14,31 @@ HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
 
+// Exact, 2F fraction bits.
 template <class L, class Columns>
-HWY_INLINE typename L::V clamped_dot(const L& l, const Config& c, const Columns& a, const Columns& b, std::size_t i) {
+HWY_INLINE typename L::V dot_product(const L& l, const Columns& a, const Columns& b, std::size_t i) {
   const auto product = [&](std::size_t k) HWY_ATTR { return l.mul(l.load(&a[k][i]), l.load(&b[k][i])); };
-  const auto dot = l.max(l.add(l.add(product(0), product(1)), product(2)), l.set(0));
-  return l.min(round_half_up(l, dot, 2 * c.unit_bits - c.dot_bits), l.set(1 << c.dot_bits));
+  return l.add(l.add(product(0), product(1)), product(2));
+}
+
+// A cosine with 2F fraction bits to u1.DF.
+template <class L>
+HWY_INLINE typename L::V clamped(const L& l, const Config& c, typename L::V cosine) {
+  const auto positive = round_half_up(l, l.max(cosine, l.set(0)), 2 * c.unit_bits - c.dot_bits);
+  return l.min(positive, l.set(1 << c.dot_bits));
+}
+
+// R.E of the reflection R = 2 (N.L) N - L of the light; 0 where the light is below the surface.
+template <class L, class Batch>
+HWY_INLINE typename L::V reflected(const L& l, const Config& c, const Batch& batch, std::size_t i) {
+  const auto n_l = dot_product(l, batch.normalize_n, batch.normalize_l, i);
+  const auto n_e = dot_product(l, batch.normalize_n, batch.normalize_h, i);
+  const auto l_e = dot_product(l, batch.normalize_l, batch.normalize_h, i);
+  const typename L::Int one = typename L::Int{1} << c.unit_bits;
+  const auto unit = [&](typename L::V x)
+                        HWY_ATTR { return saturate(l, round_half_up(l, x, c.unit_bits), -one, one); };
+  const auto r = l.sub(l.shl(l.mul(unit(n_l), unit(n_e)), 1), l_e);
+  return l.select(l.less(l.set(0), n_l), clamped(l, c, r), l.set(0));
 }
 
 template <class L>
@@ -36,7 +56,7 @@ HWY_INLINE typename L::V shadow_factor(const L& l, const Constants<typename L::I
   const auto one = l.set(1 << c.config.dot_bits);
   const auto zero = l.set(0);
   const auto tangent = l.min(round_half_up(l, l.max(lz, zero), c.config.unit_bits - c.config.dot_bits), one);
-  const auto source = c.config.has_bump() && c.draw.bump ? tangent : nl;
+  const auto source = c.config.has_texture_normal() && c.draw.bump ? tangent : nl;
   if (c.config.self_shadow == static_cast<int>(SelfShadow::kHard)) return l.select(l.less(zero, source), one, zero);
   return l.min(l.shl(source, 3), one);
 }
@@ -45,15 +65,17 @@ template <class L>
 void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
   const bool shadow = c.draw.shadow && c.config.self_shadow != static_cast<int>(SelfShadow::kOff);
+  const bool reflection = c.config.is(Lighting::kReflection);
   const int df = c.config.dot_bits;
   for (int first = 0; first < batch.count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
-    const auto nl = clamped_dot(l, c.config, batch.normalize_n, batch.normalize_l, i);
+    const auto nl = clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_l, i));
     const auto factor = shadow ? shadow_factor(l, c, l.load(&batch.normalize_l[2][i]), nl) : l.set(1 << df);
     l.store(nl, &batch.light_nl[0][i]);
     l.store(shadow ? round_half_up(l, l.mul_half(nl, factor), df) : nl, &batch.light_diffuse[0][i]);
     if (!c.config.has_specular()) continue;
-    const auto nh = clamped_dot(l, c.config, batch.normalize_n, batch.normalize_h, i);
+    const auto nh = reflection ? reflected(l, c.config, batch, i)
+                               : clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_h, i));
     const auto p = power(l, c, nh);
     l.store(nh, &batch.light_nh[0][i]);
     if (!shadow) {

@@ -88,11 +88,12 @@ HWY_INLINE void normalize_columns(const L& l, const Columns& in, Columns& out, t
   }
 }
 
-// The kind of unit is chosen outside of its loop.
+// The kind of unit is chosen outside of its loop. Its input is s1.V with V = `input_bits`.
 template <class L, class Columns>
-void normalize_unit(const L& l, const Context& context, int normalizer, const Columns& in, Columns& out,
+void normalize_unit(const L& l, const Context& context, int normalizer, int input_bits, const Columns& in, Columns& out,
                     typename Columns::value_type& zero, int count) {
-  const auto c = context.constants<typename L::Int>();
+  auto c = context.constants<typename L::Int>();
+  c.config.vector_bits = input_bits;
   if (normalizer == static_cast<int>(Normalizer::kNone))
     normalize_columns(l, in, out, zero, count, [&](const Triple<L>& v) HWY_ATTR { return normalize_none(l, c, v); });
   else if ((std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable)
@@ -103,14 +104,47 @@ void normalize_unit(const L& l, const Context& context, int normalizer, const Co
                       [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<false>(l, c, v); });
 }
 
+template <class L, class Columns>
+void fill_constant(const L& l, const std::array<int, 3>& v, Columns& out, int count) {
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int i = 0; i < count; i += l.size()) l.store(l.set(v[k]), &out[k][static_cast<std::size_t>(i)]);
+}
+
+// H of every pixel from unit L and E, in place of E [Peercy97 section 4]: L + E is s2.F. No flag: opposite to the light
+// there is no highlight to be missed.
+template <class L>
+void normalize_halfangle(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+  alignas(64) std::array<typename Batch<typename L::Int>::Column, 3> sum;
+  alignas(64) typename Batch<typename L::Int>::Column ignored{};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int first = 0; first < batch.count; first += l.size()) {
+      const auto i = static_cast<std::size_t>(first);
+      l.store(l.add(l.load(&batch.normalize_l[k][i]), l.load(&batch.normalize_h[k][i])), &sum[k][i]);
+    }
+  normalize_unit(l, c, c.config.normalizer_h, c.config.unit_bits + 1, sum, batch.normalize_h, ignored, batch.count);
+}
+
 template <class L>
 void normalize(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+  const Config& config = c.config;
+  const int count = batch.count;
   auto& zero = batch.normalize_zero[0];
-  std::fill_n(zero.begin(), batch.count, 0);
-  normalize_unit(l, c, c.config.normalizer_n, batch.perturb_n, batch.normalize_n, zero, batch.count);
-  normalize_unit(l, c, c.config.normalizer_l, batch.interpolate_l, batch.normalize_l, zero, batch.count);
-  if (c.config.has_specular())
-    normalize_unit(l, c, c.config.normalizer_h, batch.interpolate_h, batch.normalize_h, zero, batch.count);
+  std::fill_n(zero.begin(), count, 0);
+  if (config.has_normal())
+    normalize_unit(l, c, config.normalizer_n, config.normal_unit_input_bits(), batch.perturb_n, batch.normalize_n, zero,
+                   count);
+  else
+    fill_constant(l, {0, 0, 1 << config.unit_bits}, batch.normalize_n, count);
+  if (config.has_light_planes()) {
+    normalize_unit(l, c, config.normalizer_l, config.vector_bits, batch.interpolate_l, batch.normalize_l, zero, count);
+    if (config.has_specular())
+      normalize_unit(l, c, config.third_normalizer(), config.vector_bits, batch.interpolate_h, batch.normalize_h, zero,
+                     count);
+  } else {
+    fill_constant(l, c.draw.l, batch.normalize_l, count);
+    if (config.has_specular()) fill_constant(l, c.draw.h, batch.normalize_h, count);
+  }
+  if (config.is(Lighting::kPixelHalfangle)) normalize_halfangle(l, c, batch);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -122,10 +122,10 @@ struct Samples {
   TexelRows rows_a, rows_b;
 };
 
-// Fetches and filters three components; hand_on(component, fragment, f) takes each with D fraction bits.
+// Fetches and filters `components` of each texel; hand_on(component, fragment, f) takes each with D fraction bits.
 template <class L, class HandOn>
 HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const std::vector<std::uint32_t>& texels,
-                       int count, Samples<typename L::Int>& s, const HandOn& hand_on) {
+                       int components, int count, Samples<typename L::Int>& s, const HandOn& hand_on) {
   const bool trilinear = c.config.trilinear();
   fetch(texels.data(), s.a, count, s.rows_a);
   if (trilinear) fetch(texels.data(), s.b, count, s.rows_b);
@@ -134,7 +134,7 @@ HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const st
     const Quad<L> a = load_quad(l, c.config, s.rows_a, s.a, i);
     const Quad<L> b = load_quad(l, c.config, s.rows_b, s.b, i);
     const auto weight = l.load(&s.weight[i]);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < components; ++k) {
       auto f = filter_quad(l, c.config, a, k * c.config.texel_bits);
       if (trilinear) {
         const auto g = filter_quad(l, c.config, b, k * c.config.texel_bits);
@@ -145,16 +145,31 @@ HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const st
   }
 }
 
-// A draw without texels: normal 0, decal white.
+// A draw without texels: normal and slopes 0, decal white.
 template <class L>
 void texture_absent(const L& l, const Constants<typename L::Int>& c, Batch<typename L::Int>& batch) {
   for (std::size_t k = 0; k < 3; ++k) {
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);
-      if (c.config.has_bump()) l.store(l.set(0), &batch.texture_n[k][i]);
+      if (c.config.has_texture_normal()) l.store(l.set(0), &batch.texture_n[k][i]);
+      if (c.config.has_blinn()) l.store(l.set(0), &batch.texture_gradient[k][i]);
       if (c.config.decal != 0) l.store(l.set((1 << c.config.texel_bits) - 1), &batch.texture_decal[k][i]);
     }
   }
+}
+
+// fu, fv in s0.GB.
+template <class L>
+void texture_gradient(const L& l, const Constants<typename L::Int>& c, const std::vector<std::uint32_t>& texels,
+                      Samples<typename L::Int>& s, Batch<typename L::Int>& batch) {
+  const int d = c.config.filter_fraction_bits();
+  const auto middle = l.shl(l.set(1 << (c.config.texel_bits - 1)), d);
+  const int shift = d + c.config.texel_bits - 1 - c.config.gradient_bits;
+  const typename L::Int limit = typename L::Int{1} << c.config.gradient_bits;
+  sample(l, c, texels, 2, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
+    const auto slope = round_half_up(l, l.sub(f, middle), shift);
+    l.store(saturate(l, slope, -limit, limit - 1), &batch.texture_gradient[k][i]);
+  });
 }
 
 template <class L>
@@ -173,18 +188,19 @@ void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) 
     l.store(levels.weight, &s.weight[i]);
   }
   const int d = c.config.filter_fraction_bits();
-  if (c.config.has_bump()) {
+  if (c.config.has_blinn()) texture_gradient(l, c, context.texture->low, s, batch);
+  if (c.config.has_texture_normal()) {
     const int one = (1 << c.config.texel_bits) - (c.config.decode == static_cast<int>(Decode::kRange) ? 1 : 0);
     const auto bias = l.shl(l.set(one), d);
     const int shift = d + c.config.texel_bits - c.config.vector_bits;
-    sample(l, c, context.texture->low, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
+    sample(l, c, context.texture->low, 3, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
       // |n| is at most 2^(D+T): it needs no saturation.
       l.store(round_half_up(l, l.sub(l.shl(f, 1), bias), shift), &batch.texture_n[k][i]);
     });
   }
   if (c.config.decal != 0) {
     const auto& texels = c.config.has_bump() ? context.texture->high : context.texture->low;
-    sample(l, c, texels, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
+    sample(l, c, texels, 3, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
       l.store(round_half_up(l, f, d), &batch.texture_decal[k][i]);
     });
   }

@@ -109,12 +109,47 @@ std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners,
                                    int normalizer) {
   std::array<Vec3, 3> vectors;
   for (std::size_t i = 0; i < 3; ++i) vectors[i] = corners.v[i]->*member;
-  if (config.perspective == 0 || normalizer == static_cast<int>(Normalizer::kNone)) return vectors;
+  const auto kind = static_cast<Normalizer>(normalizer);
+  const bool any_length = kind == Normalizer::kFaithful || kind == Normalizer::kLite;
+  if (config.perspective == 0 || !any_length) return vectors;
   const double largest = largest_q(corners);
   for (std::size_t i = 0; i < 3; ++i) {
     vectors[i] = std::max(corners.v[i]->q / largest, kSmallestVectorScale) * vectors[i];
   }
   return vectors;
+}
+
+CrossCorners cross_corners(const Config& config, const Corners& corners, const DrawWords& draw) {
+  CrossCorners cross;
+  if (!draw.bump) {
+    cross.a = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
+    return cross;
+  }
+  cross.a = vector_corners(config, corners, &ScreenVertex::A, config.normalizer_n);
+  cross.b = vector_corners(config, corners, &ScreenVertex::B, config.normalizer_n);
+  cross.c = vector_corners(config, corners, &ScreenVertex::C, config.normalizer_n);
+  if (!config.has_cross_planes()) {
+    cross.b.fill(1.0 / 3 * (cross.b[0] + cross.b[1] + cross.b[2]));
+    cross.c.fill(1.0 / 3 * (cross.c[0] + cross.c[1] + cross.c[2]));
+  }
+  double largest = 0;
+  for (const auto* vectors : {&cross.a, &cross.b, &cross.c}) {
+    for (const Vec3& v : *vectors) {
+      if (!std::isfinite(v.x + v.y + v.z)) throw std::invalid_argument("Pu x Pv, Pv x N or N x Pu is not finite");
+      largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    }
+  }
+  if (config.block_exponent == static_cast<int>(BlockExponent::kDraw)) {
+    if (largest > 1) throw std::invalid_argument("Pu x Pv, Pv x N or N x Pu exceeds the block of its draw");
+    return cross;
+  }
+  if (largest == 0) return cross;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  for (auto* vectors : {&cross.a, &cross.b, &cross.c}) {
+    for (Vec3& v : *vectors) v = {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
+  }
+  return cross;
 }
 
 }  // namespace wrinkle

@@ -28,12 +28,21 @@ struct TextureCorners {
 };
 TextureCorners texture_corners(const Config& config, const Corners& corners, const DrawWords& draw);
 
-// N, L or H at the corners as the hardware gets them. Where `perspective` is on and a normalizer follows, each is
+// N, L or H at the corners as the hardware gets them. Where `perspective` is on and a normalizer of any length follows, each is
 // scaled by its q, relative to the largest of the triangle: the direction of a linearly interpolated q V is that of the
 // perspective-correct V, and the normalizer takes the length away, so the hardware pays nothing. The scale is at least
 // 2^-4, beyond which short vectors would cost more in precision than the correction gains.
 std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners, Vec3 ScreenVertex::*member,
                                    int normalizer);
+
+// Pu x Pv, Pv x N and N x Pu at the corners as the hardware gets them: scaled by q like N, the latter two replaced by
+// their means where they are constant over a triangle, and with block_exponent = triangle all nine components by one
+// power of two that brings the largest of the triangle into [1/2, 1). A draw without bump has N and zeros. Throws
+// std::invalid_argument when a component does not fit.
+struct CrossCorners {
+  std::array<Vec3, 3> a, b, c;
+};
+CrossCorners cross_corners(const Config& config, const Corners& corners, const DrawWords& draw);
 
 // LSBs that an unsigned or cyclic component keeps clear of both ends of its format: the accumulated error of the
 // interpolator over a whole screen, at most 2^(X - G) LSB, must not carry it round.

@@ -19,7 +19,10 @@ struct ScreenVertex {
   double z = 0;    // [0, 1]
   double q = 1;    // 1/w up to a factor per triangle
   Vec2 uv;         // repeats; not multiplied by q
-  Vec3 N, L, H;    // in the frame the draw lights in, unit length
+  Vec3 N, L, H;    // in the frame the draw lights in, unit length; H is the view vector E where the lighting asks for it
+  // Pu x Pv, Pv x N, N x Pu [Peercy97 eq. 2] in that frame, the latter two times the full scale of the gradient texture;
+  // of a draw the largest component is in [1/2, 1). Only where the datapath is Blinn's.
+  Vec3 A, B, C;
   Vec2 parameter;  // on the analytic surface
   Vec3 P;          // world position, for the ideal picture
 };
@@ -45,6 +48,7 @@ struct DrawState {
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
   int texture = 0;  // index into Frame::textures
   Material material;
+  Vec3 L, H;  // constant light vectors, unit length: H is E where the lighting asks for it
 };
 
 struct Draw {

@@ -41,9 +41,17 @@ std::int64_t denominator(const Corners& corners) { return corners.area < 0 ? -co
 class Attributes {
  public:
   Attributes(const Config& config, const Corners& corners, const DrawWords& draw) : config_(config), corners_(corners) {
-    vector(Component::kNx, &ScreenVertex::N, config.normalizer_n);
-    vector(Component::kLx, &ScreenVertex::L, config.normalizer_l);
-    if (config.has_specular()) vector(Component::kHx, &ScreenVertex::H, config.normalizer_h);
+    if (config.has_normal_planes()) vector(Component::kNx, &ScreenVertex::N, config.normalizer_n);
+    if (config.has_light_planes()) {
+      vector(Component::kLx, &ScreenVertex::L, config.normalizer_l);
+      if (config.has_specular()) vector(Component::kHx, &ScreenVertex::H, config.third_normalizer());
+    }
+    if (config.has_blinn()) {
+      const CrossCorners cross = cross_corners(config, corners, draw);
+      put(Component::kAx, cross.a);
+      put(Component::kBx, cross.b);
+      put(Component::kCx, cross.c);
+    }
     for (std::size_t i = 0; i < 3; ++i) values_[at(Component::kZ)][i] = depth_in_format(config, corners.v[i]->z);
     // What no texel is fetched for need not fit.
     if (draw.textured) {
@@ -62,12 +70,17 @@ class Attributes {
 
   void vector(Component x, Vec3 ScreenVertex::*member, int normalizer) {
     const std::array<Vec3, 3> vectors = vector_corners(config_, corners_, member, normalizer);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3& value = vectors[i];
+    for (const Vec3& value : vectors) {
       if (!(length(value) < 1.5)) throw std::invalid_argument("a vector at a vertex is not of unit length");
-      values_[at(x)][i] = value.x;
-      values_[at(x) + 1][i] = value.y;
-      values_[at(x) + 2][i] = value.z;
+    }
+    put(x, vectors);
+  }
+
+  void put(Component x, const std::array<Vec3, 3>& vectors) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      values_[at(x)][i] = vectors[i].x;
+      values_[at(x) + 1][i] = vectors[i].y;
+      values_[at(x) + 2][i] = vectors[i].z;
     }
   }
 
@@ -107,7 +120,7 @@ Planes make_planes(const Config& config, const Corners& corners, const DrawWords
     const Values& values = attributes[format.component];
     Planes::Plane& plane = planes.planes[static_cast<std::size_t>(format.component)];
     for (std::size_t i = 0; i < 3; ++i) {
-      plane.corner[i] = to_fixed(values[i], format.fraction_bits + config.guard_bits);
+      plane.corner[i] = to_fixed(values[i], format.fraction_bits + (format.is_constant ? 0 : config.guard_bits));
     }
   }
   if (config.has_texture() && draw.textured) {
@@ -120,6 +133,7 @@ Planes make_planes(const Config& config, const Corners& corners, const DrawWords
     }
   }
   for (const ComponentFormat& format : formats) {
+    if (format.is_constant) continue;
     Planes::Plane& plane = planes.planes[static_cast<std::size_t>(format.component)];
     const Slope per_subpixel = slope(corners, plane.corner);
     const Wide one = Wide{1} << config.subpixel_bits;
@@ -139,6 +153,10 @@ std::array<PlaneWords, kComponents> anchor(const Config& config, const Corners& 
   for (const ComponentFormat& format : component_formats(config)) {
     const auto index = static_cast<std::size_t>(format.component);
     const Planes::Plane& plane = planes.planes[index];
+    if (format.is_constant) {
+      words[index].value = wrap(plane.corner[0], format.width);
+      continue;
+    }
     const int bits = format.width + config.guard_bits;
     const Slope per_subpixel = slope(corners, plane.corner);
     const Wide rise = round_divide(per_subpixel.x * to_x + per_subpixel.y * to_y, denominator(corners));

@@ -16,6 +16,13 @@ std::array<int, 3> to_codes(const Config& config, Vec3 colour) {
   return {code(channels.x), code(channels.y), code(channels.z)};
 }
 
+// A unit vector, each component the nearest of s1.F.
+std::array<int, 3> to_unit_codes(const Config& config, Vec3 v) {
+  if (!(std::abs(length(v) - 1) < 1e-6)) throw std::invalid_argument("a constant light vector is not of unit length");
+  const auto code = [&](double x) { return static_cast<int>(std::round(std::ldexp(x, config.unit_bits))); };
+  return {code(v.x), code(v.y), code(v.z)};
+}
+
 }  // namespace
 
 Vec3 to_channels(const Config& config, Vec3 colour) {
@@ -48,6 +55,10 @@ DrawWords quantise(const Config& config, const DrawState& state, const std::vect
   draw.exponent_zero = material.exponent == 0;
   if (!draw.exponent_zero) {
     draw.squarings = std::min(std::countr_zero(static_cast<unsigned>(material.exponent)), config.specular_squarings);
+  }
+  if (!config.has_light_planes()) {
+    draw.l = to_unit_codes(config, state.L);
+    if (config.has_specular()) draw.h = to_unit_codes(config, state.H);
   }
   draw.ambient = to_codes(config, material.ambient);
   draw.diffuse = to_codes(config, material.diffuse);
