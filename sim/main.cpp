@@ -19,6 +19,8 @@ int run(int argc, char** argv) {
   wrinkle::add_verify(app, command);
   wrinkle::add_stress(app, command);
   wrinkle::add_bench(app, command);
+  wrinkle::add_area(app, command);
+  wrinkle::add_error(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,129 @@
+// area: synthesis by stage and flat, in standard cells and for FPGAs; Fig. 1, 2 and 3 side by side.
+#include "sim/report/area.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "sim/command.h"
+#include "sim/config_file.h"
+#include "sim/input_error.h"
+#include "sim/report/baseline.h"
+#include "sim/report/fpga.h"
+
+namespace wrinkle {
+namespace {
+
+struct Options {
+  std::string name = "standard", library = "osu035", effort = "area";
+  std::vector<std::string> set, stages;
+  bool figures = false, fpga = false, place = false, no_flat = false, check = false, keep = false, plain_adders = false;
+  std::filesystem::path json;
+};
+
+void say(const std::string& message) { fmt::print(stderr, "{}\n", message); }
+
+AreaOptions area_options(const Options& options) {
+  AreaOptions area;
+  area.library = options.library == "osu018" ? CellLibrary::kOsu018 : CellLibrary::kOsu035;
+  area.flat = !options.no_flat;
+  area.stages = options.stages;
+  area.synthesis.effort = options.effort;
+  area.synthesis.full_adders = !options.plain_adders;
+  if (isatty(STDERR_FILENO)) area.progress = say;
+  return area;
+}
+
+constexpr const char* kRow = "{:<22} {:>12.0f} {:>10.1f} {:>8} {:>9.2f}  {}\n";
+
+void print_report(const AreaReport& report) {
+  fmt::print("{} in {}\n{:<22} {:>12} {:>10} {:>8} {:>9}  multipliers\n", report.name, report.library, "stage", "um^2",
+             "NAND2", "FFs", "path ns");
+  for (const StageArea& stage : report.stages) {
+    const SynthesisResult& r = stage.result;
+    fmt::print(kRow, stage.stage + (stage.given ? " (given)" : ""), r.um2, r.nand2, r.flip_flops, r.critical_path_ns,
+               multiplier_text(r.multipliers));
+  }
+  const nlohmann::json whole = to_json(report);
+  fmt::print(kRow, "sum", report.sum_um2(), report.sum_nand2(), report.flip_flops(),
+             whole["critical_path_ns"].get<double>(), "");
+  if (!report.flat.cells.empty())
+    fmt::print(kRow, "flat", report.flat.um2, report.flat.nand2, report.flat.flip_flops, report.flat.critical_path_ns,
+               fmt::format("sum of stages {:+.2f} %", 100 * report.deviation()));
+}
+
+FiguresByName by_name(const nlohmann::json& report, const std::string& name) {
+  return {{name + ".nand2", report["nand2"]}, {name + ".critical_path_ns", report["critical_path_ns"]}};
+}
+
+// The configurations of Fig. 1, 2, 3: one file each, and standard widths.
+Figures measure_figures(const AreaOptions& options) {
+  const std::vector<std::string> no_shadow{"self_shadow=off"};
+  std::vector<std::string> phong = no_shadow;
+  phong.push_back("datapath=phong");
+  const Config standard = load_config("standard");
+  return measure_figures(apply_overrides(standard, phong), apply_overrides(load_config("blinn"), no_shadow),
+                         apply_overrides(standard, no_shadow), options);
+}
+
+int check_or_keep(const Options& options, const FiguresByName& figures) {
+  if (options.keep) write_baseline(baseline_path("area"), figures);
+  if (!options.check) return kExitEqual;
+  return check_baseline(baseline_path("area"), figures) ? kExitEqual : kExitDifferent;
+}
+
+int run_figures(const Options& options) {
+  const Figures figures = measure_figures(area_options(options));
+  for (const AreaReport* report : {&figures.fig1, &figures.fig2, &figures.fig3}) print_report(*report);
+  nlohmann::json json = to_json(figures);
+  fmt::print("(fig3 - fig1) / fig1 = {:.3f} %   (fig2 - fig1) / fig1 = {:.1f} %\n",
+             100 * json["fig3_over_fig1"].get<double>(), 100 * json["fig2_over_fig1"].get<double>());
+  write_json(options.json, json);
+  FiguresByName kept;
+  for (const char* name : {"fig1", "fig2", "fig3"}) kept.merge(by_name(json[name], name));
+  return check_or_keep(options, kept);
+}
+
+int area(const Options& options) {
+  if (options.figures || options.check || options.keep) return run_figures(options);
+  const Config config = apply_overrides(load_config(options.name), options.set);
+  const AreaReport report = measure_area(options.name, config, area_options(options));
+  print_report(report);
+  nlohmann::json json = to_json(report);
+  if (options.fpga) json["fpga"] = measure_fpga(config, options.stages, options.place, area_options(options).progress);
+  write_json(options.json, json);
+  return kExitEqual;
+}
+
+}  // namespace
+
+void add_area(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("area", "Synthesise every stage alone and the whole flat: area, timing, FPGA cells");
+  command->add_option("config", options->name, "Configuration, by name or .toml file")->capture_default_str();
+  command->add_option("--set", options->set, "Change a parameter of the configuration: KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--library", options->library, "Standard cells")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"osu035", "osu018"}));
+  command->add_option("--effort", options->effort, "What mapping aims at")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"area", "speed"}));
+  command->add_option("--stage", options->stages, "Only this stage")
+      ->check(CLI::IsMember(std::vector<std::string>{"packet", "scan", "interpolate", "perspective", "texture",
+                                                     "perturb", "normalize", "light", "output"}));
+  command->add_flag("--no-flat", options->no_flat, "Leave out the flat whole");
+  command->add_flag("--plain-adders", options->plain_adders, "Adders in simple gates, not in full adder cells");
+  command->add_flag("--fpga", options->fpga, "Also cells of iCE40, ECP5 and Xilinx");
+  command->add_flag("--place", options->place, "With --fpga: place and route on iCE40 UP5K what fits");
+  command->add_flag("--figures", options->figures, "Fig. 1, Fig. 2 and Fig. 3 of the paper");
+  command->add_flag("--check", options->check, "The figures against tests/baselines/area.json; exit 1 when worse");
+  command->add_flag("--keep", options->keep, "Write the figures to tests/baselines/area.json");
+  add_json_option(*command, options->json);
+  command->callback([options, &run] { run = [options] { return area(*options); }; });
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,60 @@
+// Area by stage: every stage of a configuration synthesised alone, and all of them flat.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "golden/config.h"
+#include "sim/synthesis/synthesis.h"
+
+namespace wrinkle {
+
+struct StageArea {
+  std::string stage;
+  SynthesisResult result;
+  // Of Fig. 1 to 3: a part that the paper takes as given (scan, texture unit, texture coordinates).
+  bool given = false;
+};
+
+struct AreaReport {
+  std::string name;  // of the configuration
+  std::string library;
+  std::vector<StageArea> stages;
+  SynthesisResult flat;  // the whole; no cells when it was not asked for
+
+  double sum_um2() const;
+  double sum_nand2() const;
+  int flip_flops() const;
+  // (sum of stages - flat) / flat; 0 without flat.
+  double deviation() const;
+};
+
+struct AreaOptions {
+  CellLibrary library = CellLibrary::kOsu035;
+  bool flat = true;
+  std::vector<std::string> stages;  // empty: all
+  SynthesisOptions synthesis;
+  SynthesisProgress progress;
+};
+
+// Two stages at a time.
+AreaReport measure_area(const std::string& name, const Config& config, const AreaOptions& options);
+
+// [Peercy97 fig. 1, 2 and 3] with everything around them alike: packets, scan, interpolation, normalization, light and
+// output at the widths of `standard`, without self-shadow, which the figures do not have. What the paper takes as given
+// counts in all three and is marked: scan, texture unit, and `texture coordinates`, the interpolators and draw state of
+// u, v and level of detail. Fig. 1 has the very texture unit of Fig. 3.
+struct Figures {
+  AreaReport fig1, fig2, fig3;
+};
+Figures measure_figures(const Config& phong, const Config& blinn, const Config& tangent, const AreaOptions& options);
+
+// "2 of 11 x 11, 1 of 9 x 8"; "-" for none.
+std::string multiplier_text(const std::vector<Multiplier>& multipliers);
+
+nlohmann::json to_json(const AreaReport& report);
+nlohmann::json to_json(const Figures& figures);
+
+}  // namespace wrinkle
