@@ -1,14 +1,19 @@
 `default_nettype none
-// Wrinkle: the hardware of "Efficient Bump Mapping Hardware" [Peercy97 fig. 1 and 3], one pixel a clock. This is the
+// Wrinkle: the hardware of "Efficient Bump Mapping Hardware" [Peercy97 fig. 1, 2 and 3], one pixel a clock. This is the
 // list of its stages; docs/architecture.md has a heading for each, docs/formats.md the ports and packets. A value that
 // a stage hands on is the wire STAGE_NAME, its handshake STAGE_valid and STAGE_ready: the bench reads them under these
 // names. The parameters are golden/parameters.def. Every output depends on registers alone.
 module wrinkle_core #(
-  parameter DATAPATH           = 1,  // phong|tangent
-  parameter LIGHTING           = 1,  // diffuse|halfangle
-  parameter NORMALIZER_N       = 1,  // none|faithful
-  parameter NORMALIZER_L       = 1,  // none|faithful
-  parameter NORMALIZER_H       = 1,  // none|faithful
+  parameter DATAPATH           = 1,  // phong|tangent|blinn|rotated
+  parameter CROSS_PRODUCTS     = 0,  // interpolated|constant; blinn only
+  parameter BLOCK_EXPONENT     = 0,  // triangle|draw: of set-up alone, the hardware is the same; blinn only
+  parameter LIGHT_VECTORS      = 0,  // interpolated|constant
+  parameter LIGHTING           = 1,  // diffuse|halfangle|reflection|pixel_halfangle
+  parameter NORMALIZER_N       = 1,  // none|faithful|lite|near
+  parameter NORMALIZER_L       = 1,  // none|faithful|lite|near
+  parameter NORMALIZER_H       = 1,  // none|faithful|lite|near
+  parameter NORMALIZE_ORDER    = 0,  // before|after
+  parameter NORMALIZER_SHARING = 0,  // three|shared
   parameter SELF_SHADOW        = 1,  // off|hard|smooth
   parameter FILTER             = 2,  // nearest|bilinear|trilinear
   parameter DECODE             = 0,  // range|offset
@@ -19,7 +24,9 @@ module wrinkle_core #(
   parameter SCREEN_BITS        = 10, // X: the screen is at most 2^X by 2^X pixels
   parameter SUBPIXEL_BITS      = 8,  // S: vertices lie on a grid of 2^-S pixel
   parameter GUARD_BITS         = 10, // G: extra fraction bits of every interpolator
-  parameter VECTOR_BITS        = 9, // V: fraction bits of vectors before normalization (s1.V)
+  parameter VECTOR_BITS        = 9,  // V: fraction bits of vectors before normalization (s1.V)
+  parameter WIDE_BITS          = 16, // VW: fraction bits of Pu x Pv, Pv x N, N x Pu (s1.VW); blinn only
+  parameter GRADIENT_BITS      = 9,  // GB: fraction bits of fu, fv after filtering (s0.GB); blinn only
   parameter UV_INTEGER_BITS    = 4,  // UI: integer bits of u and v, sign included (sUI-1.UF)
   parameter UV_BITS            = 18, // UF: fraction bits of u and v, in repeats of the texture
   parameter Q_BITS             = 18, // Q: fraction bits of the interpolated 1/w (u0.Q); perspective only
@@ -33,7 +40,8 @@ module wrinkle_core #(
   parameter SPECULAR_SQUARINGS = 5,  // K: exponents 0, 1, 2, 4 ... 2^K; halfangle only
   parameter COLOUR_BITS        = 8,  // C: bits of a colour channel
   parameter DEPTH_BITS         = 20, // Z: bits of z (u0.Z)
-  parameter TEXTURE_FIFO_BITS  = 4   // fragments that may wait for texels: 2^bits
+  parameter TEXTURE_FIFO_BITS  = 4,  // fragments that may wait for texels: 2^bits
+  parameter TEXELS = (DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : 0) + 3*DECAL  // of the above: components of a texel
 ) (
   input  wire        clk,
   input  wire        rst,                     // synchronous, valid bits and counters only
@@ -42,18 +50,18 @@ module wrinkle_core #(
   input  wire [63:0] packet_word_i,
   output wire        texel_request_valid_o,
   input  wire        texel_request_ready_i,
-  output wire [(DATAPATH + DECAL != 0 ? 64 : 1)-1:0]                texel_request_a_o,
-  output wire [(DATAPATH + DECAL != 0 && FILTER == 2 ? 64 : 1)-1:0] texel_request_b_o,
+  output wire [(TEXELS != 0 ? 64 : 1)-1:0]                texel_request_a_o,
+  output wire [(TEXELS != 0 && FILTER == 2 ? 64 : 1)-1:0] texel_request_b_o,
   input  wire        texel_response_valid_i,
   output wire        texel_response_ready_o,
-  input  wire [(DATAPATH + DECAL != 0 ? 3*(DATAPATH+DECAL)*TEXEL_BITS : 1)-1:0]               texel_a00_i,
-  input  wire [(DATAPATH + DECAL != 0 && FILTER > 0 ? 3*(DATAPATH+DECAL)*TEXEL_BITS : 1)-1:0] texel_a10_i,
-  input  wire [(DATAPATH + DECAL != 0 && FILTER > 0 ? 3*(DATAPATH+DECAL)*TEXEL_BITS : 1)-1:0] texel_a01_i,
-  input  wire [(DATAPATH + DECAL != 0 && FILTER > 0 ? 3*(DATAPATH+DECAL)*TEXEL_BITS : 1)-1:0] texel_a11_i,
-  input  wire [(DATAPATH + DECAL != 0 && FILTER > 1 ? 3*(DATAPATH+DECAL)*TEXEL_BITS : 1)-1:0] texel_b00_i,
-  input  wire [(DATAPATH + DECAL != 0 && FILTER > 1 ? 3*(DATAPATH+DECAL)*TEXEL_BITS : 1)-1:0] texel_b10_i,
-  input  wire [(DATAPATH + DECAL != 0 && FILTER > 1 ? 3*(DATAPATH+DECAL)*TEXEL_BITS : 1)-1:0] texel_b01_i,
-  input  wire [(DATAPATH + DECAL != 0 && FILTER > 1 ? 3*(DATAPATH+DECAL)*TEXEL_BITS : 1)-1:0] texel_b11_i,
+  input  wire [(TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0]               texel_a00_i,
+  input  wire [(TEXELS != 0 && FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_a10_i,
+  input  wire [(TEXELS != 0 && FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_a01_i,
+  input  wire [(TEXELS != 0 && FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_a11_i,
+  input  wire [(TEXELS != 0 && FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_b00_i,
+  input  wire [(TEXELS != 0 && FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_b10_i,
+  input  wire [(TEXELS != 0 && FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_b01_i,
+  input  wire [(TEXELS != 0 && FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_b11_i,
   output wire        fragment_valid_o,
   input  wire        fragment_ready_i,
   output wire [SCREEN_BITS-1:0]                         fragment_x_o,
@@ -64,10 +72,16 @@ module wrinkle_core #(
   output wire        fragment_zero_o,         // a zero vector was met
   output wire        idle_o                   // no packet held, no fragment in flight
 );
-  localparam VEC    = 3 * (VECTOR_BITS + 2);
-  localparam UNIT   = 3 * (UNIT_BITS + 2);
+  localparam BLINN  = DATAPATH == 2 ? 1 : 0;
   localparam HALF   = LIGHTING != 0 ? 1 : 0;
-  localparam TEX    = DATAPATH + DECAL != 0 ? 1 : 0;
+  localparam TEX    = TEXELS != 0 ? 1 : 0;
+  localparam VEC    = 3 * (VECTOR_BITS + 2);
+  localparam WIDE   = BLINN != 0 ? 3 * (WIDE_BITS + 2) : 1;                              // A, B, C each
+  localparam SMOOTH = DATAPATH == 3 ? 1 : BLINN != 0 ? 3 * WIDE : VEC;                   // N or {C, B, A}
+  localparam BUMPED = DATAPATH == 3 ? 1 : BLINN != 0 ? 3 * (WIDE_BITS + 3) : VEC;        // N'
+  localparam LVEC   = LIGHT_VECTORS != 0 ? 1 : VEC;
+  localparam HVEC   = HALF != 0 ? LVEC : 1;
+  localparam UNIT   = 3 * (UNIT_BITS + 2);
   localparam UV     = TEX != 0 ? UV_INTEGER_BITS + UV_BITS : 1;
   localparam LOD    = TEX == 0 ? 1 : FILTER == 2 ? 6 + LOD_BITS : 6;
   localparam COUNT  = CHANNELS != 0 ? 3 : 1;
@@ -76,10 +90,12 @@ module wrinkle_core #(
   localparam DECALS = DECAL != 0 ? 3 * TEXEL_BITS : 1;
 
   wrinkle_parameters #(
-    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N), .NORMALIZER_L(NORMALIZER_L),
-    .NORMALIZER_H(NORMALIZER_H), .SELF_SHADOW(SELF_SHADOW), .FILTER(FILTER), .DECODE(DECODE),
-    .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .CHANNELS(CHANNELS), .SCREEN_BITS(SCREEN_BITS),
-    .SUBPIXEL_BITS(SUBPIXEL_BITS), .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS),
+    .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .BLOCK_EXPONENT(BLOCK_EXPONENT),
+    .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N), .NORMALIZER_L(NORMALIZER_L),
+    .NORMALIZER_H(NORMALIZER_H), .NORMALIZE_ORDER(NORMALIZE_ORDER), .NORMALIZER_SHARING(NORMALIZER_SHARING),
+    .SELF_SHADOW(SELF_SHADOW), .FILTER(FILTER), .DECODE(DECODE), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH),
+    .DECAL(DECAL), .CHANNELS(CHANNELS), .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS),
+    .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .GRADIENT_BITS(GRADIENT_BITS),
     .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .RECIPROCAL_BITS(RECIPROCAL_BITS),
     .LOD_BITS(LOD_BITS), .WEIGHT_BITS(WEIGHT_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS),
     .DOT_BITS(DOT_BITS), .POWER_BITS(POWER_BITS), .SPECULAR_SQUARINGS(SPECULAR_SQUARINGS), .COLOUR_BITS(COLOUR_BITS),
@@ -94,15 +110,19 @@ module wrinkle_core #(
   wire [3:0]  draw_log2_width, draw_log2_height, draw_max_level, draw_squarings;
   wire [11:0] draw_texture;
   wire [COUNT*(COLOUR_BITS+1)-1:0] draw_ambient, draw_diffuse, draw_specular;
-  wire scan_busy, perspective_busy, texture_busy, normalize_busy, light_busy, output_busy;
-  wire fragments_busy = scan_busy | perspective_busy | texture_busy | normalize_busy | light_busy | output_busy;
+  wire [(LIGHT_VECTORS != 0 ? UNIT : 1)-1:0] draw_l;
+  wire [(LIGHT_VECTORS != 0 && HALF != 0 ? UNIT : 1)-1:0] draw_h;
+  wire scan_busy, perspective_busy, texture_busy, perturb_busy, normalize_busy, light_busy, output_busy;
+  wire fragments_busy = scan_busy | perspective_busy | texture_busy | perturb_busy | normalize_busy | light_busy |
+                        output_busy;
   assign idle_o = ~(packet_busy | fragments_busy);
 
   wrinkle_packet #(
-    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH),
-    .DECAL(DECAL), .CHANNELS(CHANNELS), .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS),
-    .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS),
-    .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .COLOUR_BITS(COLOUR_BITS), .DEPTH_BITS(DEPTH_BITS)
+    .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING),
+    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .CHANNELS(CHANNELS),
+    .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS), .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS),
+    .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS),
+    .UNIT_BITS(UNIT_BITS), .COLOUR_BITS(COLOUR_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) packet (
     .clk(clk), .rst(rst), .packet_valid_i(packet_valid_i), .packet_ready_o(packet_ready_o),
     .packet_word_i(packet_word_i), .busy_i(fragments_busy), .word_o(packet_word), .scan_shift_o(scan_shift),
@@ -111,7 +131,8 @@ module wrinkle_core #(
     .draw_exponent_zero_o(draw_exponent_zero), .draw_wrap_u_o(draw_wrap_u), .draw_wrap_v_o(draw_wrap_v),
     .draw_log2_width_o(draw_log2_width), .draw_log2_height_o(draw_log2_height), .draw_max_level_o(draw_max_level),
     .draw_texture_o(draw_texture), .draw_squarings_o(draw_squarings), .draw_ambient_o(draw_ambient),
-    .draw_diffuse_o(draw_diffuse), .draw_specular_o(draw_specular), .busy_o(packet_busy));
+    .draw_diffuse_o(draw_diffuse), .draw_specular_o(draw_specular), .draw_l_o(draw_l), .draw_h_o(draw_h),
+    .busy_o(packet_busy));
 
   // scan: the walk it takes, and the pixel on which it stands
   wire walk_step, walk_carry, walk_span, walk_first, walk_pixel;
@@ -130,8 +151,11 @@ module wrinkle_core #(
   wire                   interpolate_valid, interpolate_ready;
   wire [SCREEN_BITS-1:0] interpolate_x, interpolate_y;
   wire                   interpolate_last;
-  wire [VEC-1:0]         interpolate_n, interpolate_l;
-  wire [(HALF != 0 ? VEC : 1)-1:0] interpolate_h;
+  wire [(DATAPATH < 2 ? VEC : 1)-1:0] interpolate_n;
+  wire [WIDE-1:0]        interpolate_a, interpolate_b, interpolate_c;
+  wire [SMOOTH-1:0]      interpolate_smooth;
+  wire [LVEC-1:0]        interpolate_l;
+  wire [HVEC-1:0]        interpolate_h;
   wire [UV-1:0]          interpolate_u, interpolate_v;
   wire [(TEX != 0 && PERSPECTIVE != 0 ? Q_BITS : 1)-1:0] interpolate_q;
   wire [LOD-1:0]         interpolate_lod;
@@ -150,75 +174,95 @@ module wrinkle_core #(
       wire unused_z = interpolate_z;
       assign interpolate_tag = {interpolate_last, interpolate_y, interpolate_x};
     end
+    if (BLINN != 0) begin : smooth_products
+      wire unused_n = interpolate_n;
+      assign interpolate_smooth = {interpolate_c, interpolate_b, interpolate_a};
+    end else begin : smooth_n
+      wire unused_products = &{1'b0, interpolate_a, interpolate_b, interpolate_c};
+      assign interpolate_smooth = interpolate_n;
+    end
   endgenerate
 
   wrinkle_interpolate #(
-    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH),
-    .DECAL(DECAL), .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS),
-    .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .DEPTH_BITS(DEPTH_BITS)
+    .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING),
+    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .GUARD_BITS(GUARD_BITS),
+    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS),
+    .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) interpolate (
     .clk(clk), .shift_i(plane_shift), .word_i(packet_word), .load_i(triangle_take), .step_i(walk_step),
     .carry_i(walk_carry), .span_i(walk_span), .first_i(walk_first), .pixel_i(walk_pixel), .n_o(interpolate_n),
-    .l_o(interpolate_l), .h_o(interpolate_h), .u_o(interpolate_u), .v_o(interpolate_v), .q_o(interpolate_q),
-    .lod_o(interpolate_lod), .z_o(interpolate_z));
+    .a_o(interpolate_a), .b_o(interpolate_b), .c_o(interpolate_c), .l_o(interpolate_l), .h_o(interpolate_h),
+    .u_o(interpolate_u), .v_o(interpolate_v), .q_o(interpolate_q), .lod_o(interpolate_lod), .z_o(interpolate_z));
 
   // perspective
   wire           perspective_valid, perspective_ready;
-  wire [VEC-1:0] perspective_n, perspective_l;
-  wire [(HALF != 0 ? VEC : 1)-1:0] perspective_h;
+  wire [SMOOTH-1:0] perspective_smooth;
+  wire [LVEC-1:0] perspective_l;
+  wire [HVEC-1:0] perspective_h;
   wire [UV-1:0]  perspective_u, perspective_v;
   wire [LOD-1:0] perspective_lod;
   wire [TAG-1:0] perspective_tag;
 
   wrinkle_perspective #(
-    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH),
-    .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS),
-    .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .RECIPROCAL_BITS(RECIPROCAL_BITS), .LOD_BITS(LOD_BITS),
-    .DEPTH_BITS(DEPTH_BITS)
+    .DATAPATH(DATAPATH), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .FILTER(FILTER),
+    .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS),
+    .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .Q_BITS(Q_BITS),
+    .RECIPROCAL_BITS(RECIPROCAL_BITS), .LOD_BITS(LOD_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) perspective (
-    .clk(clk), .rst(rst), .in_valid_i(interpolate_valid), .in_ready_o(interpolate_ready), .n_i(interpolate_n),
-    .l_i(interpolate_l), .h_i(interpolate_h), .u_i(interpolate_u), .v_i(interpolate_v), .q_i(interpolate_q),
-    .lod_i(interpolate_lod), .tag_i(interpolate_tag), .out_valid_o(perspective_valid),
-    .out_ready_i(perspective_ready), .n_o(perspective_n), .l_o(perspective_l), .h_o(perspective_h),
-    .u_o(perspective_u), .v_o(perspective_v), .lod_o(perspective_lod), .tag_o(perspective_tag),
-    .busy_o(perspective_busy));
+    .clk(clk), .rst(rst), .in_valid_i(interpolate_valid), .in_ready_o(interpolate_ready),
+    .smooth_i(interpolate_smooth), .l_i(interpolate_l), .h_i(interpolate_h), .u_i(interpolate_u),
+    .v_i(interpolate_v), .q_i(interpolate_q), .lod_i(interpolate_lod), .tag_i(interpolate_tag),
+    .out_valid_o(perspective_valid), .out_ready_i(perspective_ready), .smooth_o(perspective_smooth),
+    .l_o(perspective_l), .h_o(perspective_h), .u_o(perspective_u), .v_o(perspective_v), .lod_o(perspective_lod),
+    .tag_o(perspective_tag), .busy_o(perspective_busy));
 
   // texture
   wire              texture_valid, texture_ready;
-  wire [VEC-1:0]    texture_smooth_n, texture_l;
-  wire [(DATAPATH != 0 ? VEC : 1)-1:0] texture_n;
+  wire [SMOOTH-1:0] texture_smooth;
+  wire [LVEC-1:0]   texture_l;
+  wire [(DATAPATH == 1 ? VEC : 1)-1:0] texture_n;
+  wire [(BLINN != 0 ? 2*(GRADIENT_BITS+1) : 1)-1:0] texture_gradient;
   wire [DECALS-1:0] texture_decal;
-  wire [(HALF != 0 ? VEC : 1)-1:0] texture_h;
+  wire [HVEC-1:0]   texture_h;
   wire [TAG-1:0]    texture_tag;
 
   wrinkle_texture #(
-    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .FILTER(FILTER), .DECODE(DECODE), .DEPTH(DEPTH), .DECAL(DECAL),
-    .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS),
-    .LOD_BITS(LOD_BITS), .WEIGHT_BITS(WEIGHT_BITS), .TEXEL_BITS(TEXEL_BITS), .DEPTH_BITS(DEPTH_BITS),
-    .TEXTURE_FIFO_BITS(TEXTURE_FIFO_BITS)
+    .DATAPATH(DATAPATH), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .FILTER(FILTER), .DECODE(DECODE),
+    .DEPTH(DEPTH), .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS),
+    .GRADIENT_BITS(GRADIENT_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .LOD_BITS(LOD_BITS),
+    .WEIGHT_BITS(WEIGHT_BITS), .TEXEL_BITS(TEXEL_BITS), .DEPTH_BITS(DEPTH_BITS), .TEXTURE_FIFO_BITS(TEXTURE_FIFO_BITS)
   ) texture (
     .clk(clk), .rst(rst), .draw_textured_i(draw_textured), .draw_wrap_u_i(draw_wrap_u), .draw_wrap_v_i(draw_wrap_v),
     .draw_log2_width_i(draw_log2_width), .draw_log2_height_i(draw_log2_height), .draw_max_level_i(draw_max_level),
     .draw_texture_i(draw_texture), .in_valid_i(perspective_valid), .in_ready_o(perspective_ready),
-    .n_i(perspective_n), .l_i(perspective_l), .h_i(perspective_h), .u_i(perspective_u), .v_i(perspective_v),
+    .smooth_i(perspective_smooth), .l_i(perspective_l), .h_i(perspective_h), .u_i(perspective_u), .v_i(perspective_v),
     .lod_i(perspective_lod), .tag_i(perspective_tag), .texel_request_valid_o(texel_request_valid_o),
     .texel_request_ready_i(texel_request_ready_i), .texel_request_a_o(texel_request_a_o),
     .texel_request_b_o(texel_request_b_o), .texel_response_valid_i(texel_response_valid_i),
     .texel_response_ready_o(texel_response_ready_o), .texel_a00_i(texel_a00_i), .texel_a10_i(texel_a10_i),
     .texel_a01_i(texel_a01_i), .texel_a11_i(texel_a11_i), .texel_b00_i(texel_b00_i), .texel_b10_i(texel_b10_i),
     .texel_b01_i(texel_b01_i), .texel_b11_i(texel_b11_i), .out_valid_o(texture_valid), .out_ready_i(texture_ready),
-    .smooth_n_o(texture_smooth_n), .n_o(texture_n), .decal_o(texture_decal), .l_o(texture_l), .h_o(texture_h),
-    .tag_o(texture_tag), .busy_o(texture_busy));
+    .smooth_o(texture_smooth), .n_o(texture_n), .gradient_o(texture_gradient), .decal_o(texture_decal),
+    .l_o(texture_l), .h_o(texture_h), .tag_o(texture_tag), .busy_o(texture_busy));
 
-  // perturb: L, H and the rest pass by
-  wire           perturb_valid, perturb_ready;
-  wire [VEC-1:0] perturb_n;
+  // perturb
+  wire              perturb_valid, perturb_ready;
+  wire [BUMPED-1:0] perturb_n;
+  wire [LVEC-1:0]   perturb_l;
+  wire [HVEC-1:0]   perturb_h;
+  wire [DECALS-1:0] perturb_decal;
+  wire [TAG-1:0]    perturb_tag;
 
   wrinkle_perturb #(
-    .DATAPATH(DATAPATH), .VECTOR_BITS(VECTOR_BITS)
+    .DATAPATH(DATAPATH), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .DEPTH(DEPTH), .DECAL(DECAL),
+    .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .GRADIENT_BITS(GRADIENT_BITS),
+    .TEXEL_BITS(TEXEL_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) perturb (
-    .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready), .smooth_n_i(texture_smooth_n),
-    .texture_n_i(texture_n), .out_valid_o(perturb_valid), .out_ready_i(perturb_ready), .n_o(perturb_n));
+    .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
+    .smooth_i(texture_smooth), .texture_n_i(texture_n), .gradient_i(texture_gradient), .decal_i(texture_decal),
+    .l_i(texture_l), .h_i(texture_h), .tag_i(texture_tag), .out_valid_o(perturb_valid), .out_ready_i(perturb_ready),
+    .n_o(perturb_n), .decal_o(perturb_decal), .l_o(perturb_l), .h_o(perturb_h), .tag_o(perturb_tag),
+    .busy_o(perturb_busy));
 
   // normalize
   wire              normalize_valid, normalize_ready, normalize_zero;
@@ -228,14 +272,16 @@ module wrinkle_core #(
   wire [TAG-1:0]    normalize_tag;
 
   wrinkle_normalize #(
-    .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N), .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H),
-    .DEPTH(DEPTH), .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .TEXEL_BITS(TEXEL_BITS),
-    .UNIT_BITS(UNIT_BITS), .DEPTH_BITS(DEPTH_BITS)
+    .DATAPATH(DATAPATH), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N),
+    .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H), .DEPTH(DEPTH), .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS),
+    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS),
+    .DEPTH_BITS(DEPTH_BITS)
   ) normalize (
-    .clk(clk), .rst(rst), .in_valid_i(perturb_valid), .in_ready_o(perturb_ready), .n_i(perturb_n), .l_i(texture_l),
-    .h_i(texture_h), .decal_i(texture_decal), .tag_i(texture_tag), .out_valid_o(normalize_valid),
-    .out_ready_i(normalize_ready), .n_o(normalize_n), .l_o(normalize_l), .h_o(normalize_h), .zero_o(normalize_zero),
-    .decal_o(normalize_decal), .tag_o(normalize_tag), .busy_o(normalize_busy));
+    .clk(clk), .rst(rst), .draw_l_i(draw_l), .draw_h_i(draw_h), .in_valid_i(perturb_valid), .in_ready_o(perturb_ready),
+    .n_i(perturb_n), .l_i(perturb_l), .h_i(perturb_h), .decal_i(perturb_decal), .tag_i(perturb_tag),
+    .out_valid_o(normalize_valid), .out_ready_i(normalize_ready), .n_o(normalize_n), .l_o(normalize_l),
+    .h_o(normalize_h), .zero_o(normalize_zero), .decal_o(normalize_decal), .tag_o(normalize_tag),
+    .busy_o(normalize_busy));
 
   // light
   wire              light_valid, light_ready, light_zero;

@@ -1,9 +1,12 @@
 `default_nettype none
 // Interpolates the components of a packet: one digital differential analyser each, led by the walk of wrinkle_scan.
 // Values are those of the pixel on which the scan stands: latency 0, no handshake of its own.
-// Does not correct for perspective: there u and v are u*q and v*q.
+// What the configuration lacks has a port of one constant bit; A, B, C are of [Peercy97 fig. 2]. Does not correct for
+// perspective: there u and v are u*q and v*q.
 module wrinkle_interpolate #(
   parameter DATAPATH        = 1,
+  parameter CROSS_PRODUCTS  = 0,
+  parameter LIGHT_VECTORS   = 0,
   parameter LIGHTING        = 1,
   parameter FILTER          = 2,
   parameter PERSPECTIVE     = 0,
@@ -11,11 +14,13 @@ module wrinkle_interpolate #(
   parameter DECAL           = 0,
   parameter GUARD_BITS      = 10,
   parameter VECTOR_BITS     = 9,
+  parameter WIDE_BITS       = 16,
   parameter UV_INTEGER_BITS = 4,
   parameter UV_BITS         = 18,
   parameter Q_BITS          = 18,
   parameter LOD_BITS        = 5,
-  parameter DEPTH_BITS      = 20
+  parameter DEPTH_BITS      = 20,
+  parameter TEXELS = (DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : 0) + 3*DECAL  // of the above: components of a texel
 ) (
   input  wire        clk,
   input  wire        shift_i,   // word_i is of the planes part of a packet
@@ -26,52 +31,101 @@ module wrinkle_interpolate #(
   input  wire        span_i,
   input  wire        first_i,
   input  wire        pixel_i,
-  output wire [3*(VECTOR_BITS+2)-1:0]                        n_o,   // s1.V, x in the low bits
-  output wire [3*(VECTOR_BITS+2)-1:0]                        l_o,   // s1.V
-  output wire [(LIGHTING != 0 ? 3*(VECTOR_BITS+2) : 1)-1:0]  h_o,   // s1.V
-  output wire [(DATAPATH + DECAL != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] u_o,  // s(UI-1).UF
-  output wire [(DATAPATH + DECAL != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] v_o,
-  output wire [(DATAPATH + DECAL != 0 && PERSPECTIVE != 0 ? Q_BITS : 1)-1:0] q_o,  // u0.Q
-  output wire [(DATAPATH + DECAL != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_o,  // s5.LB
+  output wire [(DATAPATH < 2 ? 3*(VECTOR_BITS+2) : 1)-1:0]   n_o,   // s1.V, x in the low bits
+  output wire [(DATAPATH == 2 ? 3*(WIDE_BITS+2) : 1)-1:0]    a_o,   // s1.VW
+  output wire [(DATAPATH == 2 ? 3*(WIDE_BITS+2) : 1)-1:0]    b_o,
+  output wire [(DATAPATH == 2 ? 3*(WIDE_BITS+2) : 1)-1:0]    c_o,
+  output wire [(LIGHT_VECTORS == 0 ? 3*(VECTOR_BITS+2) : 1)-1:0] l_o,  // s1.V
+  output wire [(LIGHT_VECTORS == 0 && LIGHTING != 0 ? 3*(VECTOR_BITS+2) : 1)-1:0] h_o,  // s1.V; E where H comes later
+  output wire [(TEXELS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] u_o,  // s(UI-1).UF
+  output wire [(TEXELS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] v_o,
+  output wire [(TEXELS != 0 && PERSPECTIVE != 0 ? Q_BITS : 1)-1:0] q_o,  // u0.Q
+  output wire [(TEXELS != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_o,  // s5.LB
   output wire [(DEPTH != 0 ? DEPTH_BITS : 1)-1:0]            z_o    // u0.Z
 );
   localparam G          = GUARD_BITS;
   localparam W          = VECTOR_BITS + 2;
   localparam UW         = UV_INTEGER_BITS + UV_BITS;
   localparam LODW       = FILTER == 2 ? 6 + LOD_BITS : 6;
-  localparam VECTORS    = LIGHTING != 0 ? 9 : 6;
-  localparam HAS_UV     = DATAPATH + DECAL != 0 ? 1 : 0;
+  localparam WW         = WIDE_BITS + 2;
+  localparam NORMALS    = DATAPATH < 2 ? 3 : 0;                                 // planes of N
+  localparam PRODUCTS   = DATAPATH != 2 ? 0 : CROSS_PRODUCTS == 0 ? 9 : 3;      // ... of A, B, C
+  localparam HELD       = DATAPATH == 2 && CROSS_PRODUCTS != 0 ? 6 : 0;         // values of B, C held over a packet
+  localparam LIGHTS     = LIGHT_VECTORS != 0 ? 0 : LIGHTING != 0 ? 6 : 3;       // planes of L and H
+  localparam HELD_AT    = 3 * (NORMALS * (W + G) + PRODUCTS * (WW + G));
+  localparam L_AT       = HELD_AT + HELD * WW;
+  localparam HAS_UV     = TEXELS != 0 ? 1 : 0;
   localparam HAS_Q      = HAS_UV != 0 && PERSPECTIVE != 0 ? 1 : 0;
-  localparam U_AT       = 3 * VECTORS * (W + G);
+  localparam U_AT       = L_AT + 3 * LIGHTS * (W + G);
   localparam V_AT       = U_AT + 3 * (UW + G);
   localparam Q_AT       = U_AT + (HAS_UV != 0 ? 6 * (UW + G) : 0);
   localparam PLANE_LOD_AT = Q_AT + 3 * (Q_BITS + G);
   localparam Z_AT       = HAS_Q != 0 ? PLANE_LOD_AT + 3 * (LODW + G) : Q_AT;
   localparam LOD_AT     = Z_AT + (DEPTH != 0 ? 3 * (DEPTH_BITS + G) : 0);
   localparam BITS       = LOD_AT + (HAS_UV != 0 && HAS_Q == 0 ? LODW - 2 : 0);
-  localparam WORDS      = (BITS + 63) / 64;
+  localparam WORDS      = BITS == 0 ? 1 : (BITS + 63) / 64;
 
   wire [64*WORDS-1:0] packet;
-  wrinkle_shadow_words #(.WORDS(WORDS)) shadow (.clk(clk), .shift_i(shift_i), .word_i(word_i), .words_o(packet));
   wire unused_padding = &{1'b0, packet};
 
   genvar k;
   generate
-    for (k = 0; k < VECTORS; k = k + 1) begin : vector
+    if (BITS != 0) begin : with_planes
+      wrinkle_shadow_words #(.WORDS(WORDS)) shadow (.clk(clk), .shift_i(shift_i), .word_i(word_i), .words_o(packet));
+    end else begin : without_planes
+      wire unused_pins = &{1'b0, clk, shift_i, word_i, load_i, step_i, carry_i, span_i, first_i, pixel_i};
+      assign packet = {64*WORDS{1'b0}};
+    end
+
+    for (k = 0; k < NORMALS; k = k + 1) begin : normal
       wire [W-1:0] value;
       wrinkle_dda #(.WIDTH(W), .GUARD(G)) dda (
         .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
         .pixel_i(pixel_i), .value_i(packet[3*k*(W+G) +: W+G]), .row_i(packet[(3*k+1)*(W+G) +: W+G]),
         .dw_i(packet[(3*k+2)*(W+G) +: W+G]), .value_o(value));
-      if (k < 3) begin : of_n
-        assign n_o[k*W +: W] = value;
-      end else if (k < 6) begin : of_l
-        assign l_o[(k-3)*W +: W] = value;
+      assign n_o[k*W +: W] = value;
+    end
+    if (NORMALS == 0) begin : no_n
+      assign n_o = 1'b0;
+    end
+
+    if (DATAPATH == 2) begin : blinn
+      wire [9*WW-1:0] products;
+      for (k = 0; k < PRODUCTS; k = k + 1) begin : product
+        wrinkle_dda #(.WIDTH(WW), .GUARD(G)) dda (
+          .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
+          .pixel_i(pixel_i), .value_i(packet[3*k*(WW+G) +: WW+G]), .row_i(packet[(3*k+1)*(WW+G) +: WW+G]),
+          .dw_i(packet[(3*k+2)*(WW+G) +: WW+G]), .value_o(products[k*WW +: WW]));
+      end
+      if (HELD != 0) begin : held
+        reg [HELD*WW-1:0] row_held_q, held_q;
+        assign products[PRODUCTS*WW +: HELD*WW] = held_q;
+        always @(posedge clk) begin
+          if (load_i) row_held_q <= packet[HELD_AT +: HELD*WW];
+          if (span_i & first_i) held_q <= row_held_q;
+        end
+      end
+      assign {c_o, b_o, a_o} = products;
+    end else begin : no_products
+      assign {c_o, b_o, a_o} = 3'b000;
+    end
+
+    for (k = 0; k < LIGHTS; k = k + 1) begin : light
+      wire [W-1:0] value;
+      wrinkle_dda #(.WIDTH(W), .GUARD(G)) dda (
+        .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
+        .pixel_i(pixel_i), .value_i(packet[L_AT+3*k*(W+G) +: W+G]), .row_i(packet[L_AT+(3*k+1)*(W+G) +: W+G]),
+        .dw_i(packet[L_AT+(3*k+2)*(W+G) +: W+G]), .value_o(value));
+      if (k < 3) begin : of_l
+        assign l_o[k*W +: W] = value;
       end else begin : of_h
-        assign h_o[(k-6)*W +: W] = value;
+        assign h_o[(k-3)*W +: W] = value;
       end
     end
-    if (LIGHTING == 0) begin : no_h
+    if (LIGHTS == 0) begin : no_l
+      assign l_o = 1'b0;
+    end
+    if (LIGHTS < 6) begin : no_h
       assign h_o = 1'b0;
     end
 

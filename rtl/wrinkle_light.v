@@ -1,8 +1,10 @@
 `default_nettype none
-// N.L and N.H, the power of N.H by successive squaring, self-shadow.
+// N.L and N.H (or R.E, by wrinkle_reflection), its power by successive squaring, self-shadow. In the rotated frame
+// N = (0, 0, 1): its dot products are components of L and H.
 //   shadow factor g of s = bump ? L.z : N.L:  hard (s > 0);  smooth min(8 s, 1)
 //   diffuse = nl * g, specular = nl > 0 ? power * g : 0;  without shadow diffuse = nl, specular = power
-// Latency 2, with LIGHTING halfangle SPECULAR_SQUARINGS more, with SELF_SHADOW 1 more.
+// Latency 2, with DATAPATH rotated 1, with LIGHTING reflection 4; SPECULAR_SQUARINGS more where there is a highlight,
+// with SELF_SHADOW 1 more.
 module wrinkle_light #(
   parameter DATAPATH           = 1,
   parameter LIGHTING           = 1,
@@ -47,37 +49,44 @@ module wrinkle_light #(
   localparam N       = UNIT_BITS + 2;
   localparam K       = LIGHTING != 0 ? SPECULAR_SQUARINGS : 0;
   localparam SHADOW  = SELF_SHADOW != 0 ? 1 : 0;
-  localparam RANKS   = 2 + K + SHADOW;
+  localparam DOT     = DATAPATH == 3 ? 1 : 2;         // latency of a dot product
+  localparam DOTS    = LIGHTING == 2 ? 4 : DOT;       // ... of what goes to the power
+  localparam RANKS   = DOTS + K + SHADOW;
 
   wire              advance;
-  wire [DOT_BITS:0] nl2, nl;     // after rank 2 and after the power
+  wire [DOT_BITS:0] nl_early, nl;  // after the dot product and after the power
 
   wrinkle_pipe #(.RANKS(RANKS)) pipe (
     .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
     .out_ready_i(out_ready_i), .busy_o(busy_o));
   assign in_ready_o = advance;
 
-  wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
-    .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .dot_o(nl2));
-  wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(K)) delay_nl (
-    .clk(clk), .advance_i(advance), .data_i(nl2), .data_o(nl));
+  generate
+    if (DATAPATH == 3) begin : rotated
+      wire [DOT_BITS:0] lz;
+      wire unused_pins = &{1'b0, n_i, l_i[2*N-1:0]};
+      wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
+        .value_i(l_i[2*N +: N]), .clamped_o(lz));
+      wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nl (
+        .clk(clk), .advance_i(advance), .data_i(lz), .data_o(nl_early));
+    end else begin : general
+      wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
+        .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .dot_o(nl_early));
+    end
+  endgenerate
+  wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOTS - DOT + K)) delay_nl (
+    .clk(clk), .advance_i(advance), .data_i(nl_early), .data_o(nl));
 
   // The shadow factor, for the last rank.
   wire [DOT_BITS:0] factor;
   generate
     if (SHADOW != 0) begin : shadowed
-      localparam LZ_BITS = (UNIT_BITS > DOT_BITS ? UNIT_BITS : DOT_BITS) + 3;
       wire [DOT_BITS:0] source;
-      if (DATAPATH != 0) begin : from_l
-        wire signed [LZ_BITS-1:0] lz_rounded;
-        wire [DOT_BITS:0]         lz, lz_late;
-        wrinkle_round_half_up #(
-          .VALUE_BITS(N), .SHIFT(UNIT_BITS - DOT_BITS), .RESULT_BITS(LZ_BITS)
-        ) round (.value_i(l_i[2*N +: N]), .result_o(lz_rounded));
-        wrinkle_saturate #(
-          .VALUE_BITS(LZ_BITS), .RESULT_BITS(DOT_BITS + 1), .MINIMUM(0), .MAXIMUM(1 << DOT_BITS)
-        ) saturate (.value_i(lz_rounded), .result_o(lz));
-        wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(2 + K)) delay_lz (
+      if (DATAPATH == 1) begin : from_l
+        wire [DOT_BITS:0] lz, lz_late;
+        wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
+          .value_i(l_i[2*N +: N]), .clamped_o(lz));
+        wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOTS + K)) delay_lz (
           .clk(clk), .advance_i(advance), .data_i(lz), .data_o(lz_late));
         assign source = draw_bump_i ? lz_late : nl;
       end else begin : from_nl
@@ -100,16 +109,28 @@ module wrinkle_light #(
       assign diffuse_o = nl;
     end
 
-    if (LIGHTING != 0) begin : halfangle
-      wire [DOT_BITS:0]   nh2;
+    if (LIGHTING != 0) begin : glossy
+      wire [DOT_BITS:0]   nh;
       wire [POWER_BITS:0] power;
-      wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nh (
-        .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .dot_o(nh2));
+      if (LIGHTING == 2) begin : reflected
+        wrinkle_reflection #(.DATAPATH(DATAPATH), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) reflection (
+          .clk(clk), .advance_i(advance), .n_i(n_i), .l_i(l_i), .e_i(h_i), .re_o(nh));
+      end else if (DATAPATH == 3) begin : rotated_h
+        wire [DOT_BITS:0] hz;
+        wire unused_h = &{1'b0, h_i[2*N-1:0]};
+        wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
+          .value_i(h_i[2*N +: N]), .clamped_o(hz));
+        wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nh (
+          .clk(clk), .advance_i(advance), .data_i(hz), .data_o(nh));
+      end else begin : general_h
+        wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nh (
+          .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .dot_o(nh));
+      end
       wrinkle_power #(.POWER_BITS(POWER_BITS), .SQUARINGS(K)) powers (
         .clk(clk), .advance_i(advance), .squarings_i(draw_squarings_i), .exponent_zero_i(draw_exponent_zero_i),
-        .x_i({nh2, {(POWER_BITS - DOT_BITS){1'b0}}}), .power_o(power));
+        .x_i({nh, {(POWER_BITS - DOT_BITS){1'b0}}}), .power_o(power));
       wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(K + SHADOW)) delay_nh (
-        .clk(clk), .advance_i(advance), .data_i(nh2), .data_o(nh_o));
+        .clk(clk), .advance_i(advance), .data_i(nh), .data_o(nh_o));
       if (SHADOW != 0) begin : shadowed_specular
         wire [POWER_BITS:0] scaled;
         reg [POWER_BITS:0]  specular_q;

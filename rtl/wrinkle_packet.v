@@ -5,6 +5,8 @@
 // opcode is skipped. Latency 1 into the shadow registers. Does not look at any field of a triangle.
 module wrinkle_packet #(
   parameter DATAPATH        = 1,
+  parameter CROSS_PRODUCTS  = 0,
+  parameter LIGHT_VECTORS   = 0,
   parameter LIGHTING        = 1,
   parameter FILTER          = 2,
   parameter PERSPECTIVE     = 0,
@@ -15,10 +17,12 @@ module wrinkle_packet #(
   parameter SUBPIXEL_BITS   = 8,
   parameter GUARD_BITS      = 10,
   parameter VECTOR_BITS     = 9,
+  parameter WIDE_BITS       = 16,
   parameter UV_INTEGER_BITS = 4,
   parameter UV_BITS         = 18,
   parameter Q_BITS          = 18,
   parameter LOD_BITS        = 5,
+  parameter UNIT_BITS       = 9,
   parameter COLOUR_BITS     = 8,
   parameter DEPTH_BITS      = 20
 ) (
@@ -47,25 +51,30 @@ module wrinkle_packet #(
   output wire [(CHANNELS != 0 ? 3 : 1)*(COLOUR_BITS+1)-1:0] draw_ambient_o,   // u1.C, red in the low bits
   output wire [(CHANNELS != 0 ? 3 : 1)*(COLOUR_BITS+1)-1:0] draw_diffuse_o,
   output wire [(CHANNELS != 0 ? 3 : 1)*(COLOUR_BITS+1)-1:0] draw_specular_o,
+  output wire [(LIGHT_VECTORS != 0 ? 3*(UNIT_BITS+2) : 1)-1:0] draw_l_o,       // s1.F, x in the low bits
+  output wire [(LIGHT_VECTORS != 0 && LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0] draw_h_o,  // s1.F, H or E
   output wire        busy_o
 );
-  localparam TEXTURE    = DATAPATH != 0 || DECAL != 0 ? 1 : 0;
+  localparam TEXTURE    = DATAPATH == 1 || DATAPATH == 2 || DECAL != 0 ? 1 : 0;
   localparam DIVIDE     = TEXTURE != 0 && PERSPECTIVE != 0 ? 1 : 0;
   localparam LB         = FILTER == 2 ? LOD_BITS : 0;
   localparam EDGE_BITS  = SCREEN_BITS + SUBPIXEL_BITS + 2;
   localparam SCAN_BITS  = 5 + SCREEN_BITS + 2 * (SCREEN_BITS + 1) + 3 * (2 * (SCREEN_BITS + 2) + 3 * EDGE_BITS + 1);
-  localparam VECTORS    = LIGHTING != 0 ? 9 : 6;
-  localparam PLANES     = VECTORS + (TEXTURE != 0 ? 2 : 0) + (DIVIDE != 0 ? 2 : 0) + (DEPTH != 0 ? 1 : 0);
-  localparam PLANE_BITS = 3 * (PLANES * GUARD_BITS + VECTORS * (VECTOR_BITS + 2) +
+  localparam HELD       = DATAPATH == 2 && CROSS_PRODUCTS != 0 ? 6 : 0;
+  localparam PRODUCTS   = DATAPATH == 2 ? 9 - HELD : 0;
+  localparam VECTORS    = (DATAPATH < 2 ? 3 : 0) + (LIGHT_VECTORS != 0 ? 0 : LIGHTING != 0 ? 6 : 3);
+  localparam PLANES     = VECTORS + PRODUCTS + (TEXTURE != 0 ? 2 : 0) + (DIVIDE != 0 ? 2 : 0) + (DEPTH != 0 ? 1 : 0);
+  localparam PLANE_BITS = 3 * (PLANES * GUARD_BITS + VECTORS * (VECTOR_BITS + 2) + PRODUCTS * (WIDE_BITS + 2) +
                                (TEXTURE != 0 ? 2 * (UV_INTEGER_BITS + UV_BITS) : 0) +
                                (DIVIDE != 0 ? Q_BITS + 6 + LB : 0) + (DEPTH != 0 ? DEPTH_BITS : 0)) +
-                          (TEXTURE != 0 && DIVIDE == 0 ? 4 + LB : 0);
+                          HELD * (WIDE_BITS + 2) + (TEXTURE != 0 && DIVIDE == 0 ? 4 + LB : 0);
   localparam SCAN_WORDS  = (SCAN_BITS + 63) / 64;
   localparam PLANE_WORDS = (PLANE_BITS + 63) / 64;
   localparam [31:0] LAST_SCAN_INDEX = SCAN_WORDS - 1;
   localparam [31:0] LAST_INDEX      = SCAN_WORDS + PLANE_WORDS - 1;
   localparam [5:0] LAST_SCAN = LAST_SCAN_INDEX[5:0];
   localparam [5:0] LAST_WORD = LAST_INDEX[5:0];
+  localparam [5:0] LAST_DRAW = LIGHT_VECTORS != 0 ? 6'd5 : 6'd3;
   localparam COUNT = CHANNELS != 0 ? 3 : 1;
   localparam C1    = COLOUR_BITS + 1;
 
@@ -104,7 +113,7 @@ module wrinkle_packet #(
     end else begin
       if (triangle_take_i) loaded_q <= 1'b0;
       if (take) begin
-        in_draw_q     <= is_draw | (in_draw_q & index_q != 6'd3);
+        in_draw_q     <= is_draw | (in_draw_q & index_q != LAST_DRAW);
         in_triangle_q <= is_triangle | (in_triangle_q & index_q != LAST_WORD);
         index_q       <= opcode ? 6'd1 : index_q + 6'd1;
         if (in_triangle_q & index_q == LAST_WORD) loaded_q <= 1'b1;
@@ -152,6 +161,22 @@ module wrinkle_packet #(
       assign draw_specular_o      = {COUNT*C1{1'b0}};
       assign draw_exponent_zero_o = 1'b0;
       assign draw_squarings_o     = 4'd0;
+    end
+    if (LIGHT_VECTORS != 0) begin : with_light_vectors
+      localparam UNIT = 3 * (UNIT_BITS + 2);
+      reg [UNIT-1:0] l_q;
+      assign draw_l_o = l_q;
+      always @(posedge clk) if (take & in_draw_q & index_q == 6'd4) l_q <= word[UNIT-1:0];
+      if (LIGHTING != 0) begin : with_h
+        reg [UNIT-1:0] h_q;
+        assign draw_h_o = h_q;
+        always @(posedge clk) if (take & in_draw_q & index_q == 6'd5) h_q <= word[UNIT-1:0];
+      end else begin : without_h
+        assign draw_h_o = 1'b0;
+      end
+    end else begin : without_light_vectors
+      assign draw_l_o = 1'b0;
+      assign draw_h_o = 1'b0;
     end
     if (TEXTURE != 0) begin : with_texture
       reg [27:0] texture_q;

@@ -4,6 +4,7 @@
 // Latency 5; a wire unless PERSPECTIVE is on and something reads texels. Does not detect q = 0: it is taken as 1 LSB.
 module wrinkle_perspective #(
   parameter DATAPATH        = 1,
+  parameter LIGHT_VECTORS   = 0,
   parameter LIGHTING        = 1,
   parameter FILTER          = 2,
   parameter PERSPECTIVE     = 1,
@@ -11,45 +12,49 @@ module wrinkle_perspective #(
   parameter DECAL           = 0,
   parameter SCREEN_BITS     = 10,
   parameter VECTOR_BITS     = 9,
+  parameter WIDE_BITS       = 16,
   parameter UV_INTEGER_BITS = 4,
   parameter UV_BITS         = 18,
   parameter Q_BITS          = 18,  // Q
   parameter RECIPROCAL_BITS = 18,  // R, at least Q - 1
   parameter LOD_BITS        = 5,
-  parameter DEPTH_BITS      = 20
+  parameter DEPTH_BITS      = 20,
+  // Of the above: components of a texel; bits of N or {C, B, A}, of L, of H or E.
+  parameter TEXELS = (DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : 0) + 3*DECAL,
+  parameter SMOOTH = DATAPATH == 3 ? 1 : DATAPATH == 2 ? 9*(WIDE_BITS+2) : 3*(VECTOR_BITS+2),
+  parameter LVEC   = LIGHT_VECTORS != 0 ? 1 : 3*(VECTOR_BITS+2),
+  parameter HVEC   = LIGHTING != 0 ? LVEC : 1
 ) (
   input  wire clk,
   input  wire rst,
   input  wire in_valid_i,
   output wire in_ready_o,
-  input  wire [3*(VECTOR_BITS+2)-1:0]                       n_i,
-  input  wire [3*(VECTOR_BITS+2)-1:0]                       l_i,
-  input  wire [(LIGHTING != 0 ? 3*(VECTOR_BITS+2) : 1)-1:0] h_i,
-  input  wire [(DATAPATH + DECAL != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0]   u_i,  // u*q, s(UI-1).UF
-  input  wire [(DATAPATH + DECAL != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0]   v_i,
-  input  wire [(DATAPATH + DECAL != 0 && PERSPECTIVE != 0 ? Q_BITS : 1)-1:0]  q_i,  // u0.Q
-  input  wire [(DATAPATH + DECAL != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_i,
+  input  wire [SMOOTH-1:0] smooth_i,
+  input  wire [LVEC-1:0]   l_i,
+  input  wire [HVEC-1:0]   h_i,
+  input  wire [(TEXELS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0]   u_i,  // u*q, s(UI-1).UF
+  input  wire [(TEXELS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0]   v_i,
+  input  wire [(TEXELS != 0 && PERSPECTIVE != 0 ? Q_BITS : 1)-1:0]  q_i,  // u0.Q
+  input  wire [(TEXELS != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_i,
   input  wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_i,
   output wire out_valid_o,
   input  wire out_ready_i,
-  output wire [3*(VECTOR_BITS+2)-1:0]                       n_o,
-  output wire [3*(VECTOR_BITS+2)-1:0]                       l_o,
-  output wire [(LIGHTING != 0 ? 3*(VECTOR_BITS+2) : 1)-1:0] h_o,
-  output wire [(DATAPATH + DECAL != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0]   u_o,  // s(UI-1).UF
-  output wire [(DATAPATH + DECAL != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0]   v_o,
-  output wire [(DATAPATH + DECAL != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_o,
+  output wire [SMOOTH-1:0] smooth_o,
+  output wire [LVEC-1:0]   l_o,
+  output wire [HVEC-1:0]   h_o,
+  output wire [(TEXELS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0]   u_o,  // s(UI-1).UF
+  output wire [(TEXELS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0]   v_o,
+  output wire [(TEXELS != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_o,
   output wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_o,
   output wire busy_o
 );
   localparam TAG   = 2 * SCREEN_BITS + 1 + (DEPTH != 0 ? DEPTH_BITS : 0);
-  localparam VEC   = 3 * (VECTOR_BITS + 2);
-  localparam HALF  = LIGHTING != 0 ? VEC : 1;
   localparam UW    = UV_INTEGER_BITS + UV_BITS;
   localparam LODW  = FILTER == 2 ? 6 + LOD_BITS : 6;
   localparam RANKS = 5;
 
   generate
-    if (DATAPATH + DECAL != 0 && PERSPECTIVE != 0) begin : present
+    if (TEXELS != 0 && PERSPECTIVE != 0) begin : present
       wire advance;
       wrinkle_pipe #(.RANKS(RANKS)) pipe (
         .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
@@ -82,11 +87,11 @@ module wrinkle_perspective #(
       wrinkle_quotient #(.WIDTH(UW), .RECIPROCAL_BITS(RECIPROCAL_BITS)) quotient_v (
         .clk(clk), .advance_i(advance), .value_i(v3), .r_i(r), .zeros_i(zeros3), .quotient_o(v_o));
 
-      wrinkle_delay #(.WIDTH(VEC), .RANKS(RANKS)) delay_n (
-        .clk(clk), .advance_i(advance), .data_i(n_i), .data_o(n_o));
-      wrinkle_delay #(.WIDTH(VEC), .RANKS(RANKS)) delay_l (
+      wrinkle_delay #(.WIDTH(SMOOTH), .RANKS(DATAPATH != 3 ? RANKS : 0)) delay_smooth (
+        .clk(clk), .advance_i(advance), .data_i(smooth_i), .data_o(smooth_o));
+      wrinkle_delay #(.WIDTH(LVEC), .RANKS(LIGHT_VECTORS == 0 ? RANKS : 0)) delay_l (
         .clk(clk), .advance_i(advance), .data_i(l_i), .data_o(l_o));
-      wrinkle_delay #(.WIDTH(HALF), .RANKS(LIGHTING != 0 ? RANKS : 0)) delay_h (
+      wrinkle_delay #(.WIDTH(HVEC), .RANKS(LIGHTING != 0 && LIGHT_VECTORS == 0 ? RANKS : 0)) delay_h (
         .clk(clk), .advance_i(advance), .data_i(h_i), .data_o(h_o));
       wrinkle_delay #(.WIDTH(LODW), .RANKS(RANKS)) delay_lod (
         .clk(clk), .advance_i(advance), .data_i(lod_i), .data_o(lod_o));
@@ -96,7 +101,7 @@ module wrinkle_perspective #(
       wire unused_pins = &{1'b0, clk, rst, q_i};
       assign in_ready_o  = out_ready_i;
       assign out_valid_o = in_valid_i;
-      assign n_o   = n_i;
+      assign smooth_o = smooth_i;
       assign l_o   = l_i;
       assign h_o   = h_i;
       assign u_o   = u_i;

@@ -4,10 +4,15 @@
 // A legal configuration leaves nothing.
 module wrinkle_parameters #(
   parameter DATAPATH           = 1,
+  parameter CROSS_PRODUCTS     = 0,
+  parameter BLOCK_EXPONENT     = 0,
+  parameter LIGHT_VECTORS      = 0,
   parameter LIGHTING           = 1,
   parameter NORMALIZER_N       = 1,
   parameter NORMALIZER_L       = 1,
   parameter NORMALIZER_H       = 1,
+  parameter NORMALIZE_ORDER    = 0,
+  parameter NORMALIZER_SHARING = 0,
   parameter SELF_SHADOW        = 1,
   parameter FILTER             = 2,
   parameter DECODE             = 0,
@@ -19,6 +24,8 @@ module wrinkle_parameters #(
   parameter SUBPIXEL_BITS      = 8,
   parameter GUARD_BITS         = 10,
   parameter VECTOR_BITS        = 9,
+  parameter WIDE_BITS          = 16,
+  parameter GRADIENT_BITS      = 9,
   parameter UV_INTEGER_BITS    = 4,
   parameter UV_BITS            = 18,
   parameter Q_BITS             = 18,
@@ -35,20 +42,35 @@ module wrinkle_parameters #(
   parameter TEXTURE_FIFO_BITS  = 4
 ) ();
   generate
-    if (DATAPATH < 0 || DATAPATH > 1) begin : datapath
-      wrinkle_error_datapath_is_not_0_to_1 error ();
+    if (DATAPATH < 0 || DATAPATH > 3) begin : datapath
+      wrinkle_error_datapath_is_not_0_to_3 error ();
     end
-    if (LIGHTING < 0 || LIGHTING > 1) begin : lighting
-      wrinkle_error_lighting_is_not_0_to_1 error ();
+    if (CROSS_PRODUCTS < 0 || CROSS_PRODUCTS > 1) begin : cross_products
+      wrinkle_error_cross_products_is_not_0_to_1 error ();
     end
-    if (NORMALIZER_N < 0 || NORMALIZER_N > 1) begin : normalizer_n
-      wrinkle_error_normalizer_n_is_not_0_to_1 error ();
+    if (BLOCK_EXPONENT < 0 || BLOCK_EXPONENT > 1) begin : block_exponent
+      wrinkle_error_block_exponent_is_not_0_to_1 error ();
     end
-    if (NORMALIZER_L < 0 || NORMALIZER_L > 1) begin : normalizer_l
-      wrinkle_error_normalizer_l_is_not_0_to_1 error ();
+    if (LIGHT_VECTORS < 0 || LIGHT_VECTORS > 1) begin : light_vectors
+      wrinkle_error_light_vectors_is_not_0_to_1 error ();
     end
-    if (NORMALIZER_H < 0 || NORMALIZER_H > 1) begin : normalizer_h
-      wrinkle_error_normalizer_h_is_not_0_to_1 error ();
+    if (LIGHTING < 0 || LIGHTING > 3) begin : lighting
+      wrinkle_error_lighting_is_not_0_to_3 error ();
+    end
+    if (NORMALIZER_N < 0 || NORMALIZER_N > 3) begin : normalizer_n
+      wrinkle_error_normalizer_n_is_not_0_to_3 error ();
+    end
+    if (NORMALIZER_L < 0 || NORMALIZER_L > 3) begin : normalizer_l
+      wrinkle_error_normalizer_l_is_not_0_to_3 error ();
+    end
+    if (NORMALIZER_H < 0 || NORMALIZER_H > 3) begin : normalizer_h
+      wrinkle_error_normalizer_h_is_not_0_to_3 error ();
+    end
+    if (NORMALIZE_ORDER < 0 || NORMALIZE_ORDER > 1) begin : normalize_order
+      wrinkle_error_normalize_order_is_not_0_to_1 error ();
+    end
+    if (NORMALIZER_SHARING < 0 || NORMALIZER_SHARING > 1) begin : normalizer_sharing
+      wrinkle_error_normalizer_sharing_is_not_0_to_1 error ();
     end
     if (SELF_SHADOW < 0 || SELF_SHADOW > 2) begin : self_shadow
       wrinkle_error_self_shadow_is_not_0_to_2 error ();
@@ -82,6 +104,12 @@ module wrinkle_parameters #(
     end
     if (VECTOR_BITS < 5 || VECTOR_BITS > 18) begin : vector_bits
       wrinkle_error_vector_bits_is_not_5_to_18 error ();
+    end
+    if (WIDE_BITS < 8 || WIDE_BITS > 22) begin : wide_bits
+      wrinkle_error_wide_bits_is_not_8_to_22 error ();
+    end
+    if (GRADIENT_BITS < 6 || GRADIENT_BITS > 12) begin : gradient_bits
+      wrinkle_error_gradient_bits_is_not_6_to_12 error ();
     end
     if (UV_INTEGER_BITS < 1 || UV_INTEGER_BITS > 10) begin : uv_integer_bits
       wrinkle_error_uv_integer_bits_is_not_1_to_10 error ();

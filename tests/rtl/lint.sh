@@ -100,6 +100,31 @@ all_three "bilinear, diffuse, one normalizer" \
   LIGHTING=0 FILTER=1 NORMALIZER_L=0 SELF_SHADOW=2 VECTOR_BITS=5 UNIT_BITS=16 DOT_BITS=6 DECODE=1 UV_BITS=8 \
   WEIGHT_BITS=8
 all_three "trilinear with whole levels" LOD_BITS=0 UNIT_BITS=12 POWER_BITS=18 SPECULAR_SQUARINGS=0 DEPTH=0
+all_three "blinn" DATAPATH=2
+all_three "blinn, everything, largest" \
+  DATAPATH=2 PERSPECTIVE=1 DECAL=1 SELF_SHADOW=2 LIGHTING=3 SCREEN_BITS=12 GUARD_BITS=14 VECTOR_BITS=18 WIDE_BITS=22 \
+  GRADIENT_BITS=12 UV_INTEGER_BITS=10 UV_BITS=24 Q_BITS=21 RECIPROCAL_BITS=20 LOD_BITS=8 TEXEL_BITS=10 UNIT_BITS=16 \
+  DOT_BITS=16 POWER_BITS=18 SPECULAR_SQUARINGS=8 COLOUR_BITS=12 DEPTH_BITS=24 TEXTURE_FIFO_BITS=8
+all_three "blinn, cross products held, smallest" \
+  DATAPATH=2 CROSS_PRODUCTS=1 LIGHTING=2 FILTER=0 CHANNELS=0 DEPTH=0 SELF_SHADOW=0 SCREEN_BITS=4 SUBPIXEL_BITS=2 \
+  GUARD_BITS=2 VECTOR_BITS=5 WIDE_BITS=8 GRADIENT_BITS=12 UV_INTEGER_BITS=1 UV_BITS=8 TEXEL_BITS=4 UNIT_BITS=6 \
+  DOT_BITS=6 POWER_BITS=6 COLOUR_BITS=4 SPECULAR_SQUARINGS=0 TEXTURE_FIFO_BITS=1
+all_three "blinn, cross products held, constant light, no normalizer" \
+  DATAPATH=2 CROSS_PRODUCTS=1 LIGHT_VECTORS=1 NORMALIZER_N=0 FILTER=1 GRADIENT_BITS=6
+all_three "rotated" DATAPATH=3
+all_three "rotated, reflection, decal" DATAPATH=3 LIGHTING=2 DECAL=1 SELF_SHADOW=2 UNIT_BITS=6 DOT_BITS=12
+all_three "rotated, half-angle at every pixel" DATAPATH=3 LIGHTING=3 SELF_SHADOW=0 PERSPECTIVE=1
+all_three "rotated, constant light, nothing to interpolate" DATAPATH=3 LIGHT_VECTORS=1 LIGHTING=0 DEPTH=0
+all_three "rotated, diffuse" DATAPATH=3 LIGHTING=0
+all_three "constant light" LIGHT_VECTORS=1
+all_three "constant light, diffuse" LIGHT_VECTORS=1 LIGHTING=0 DATAPATH=0
+all_three "constant light, reflection, perspective" LIGHT_VECTORS=1 LIGHTING=2 PERSPECTIVE=1 DECAL=1
+all_three "constant light, half-angle at every pixel" LIGHT_VECTORS=1 LIGHTING=3 NORMALIZER_N=0
+all_three "reflection" LIGHTING=2
+all_three "reflection, widest dots, no normalizers" \
+  LIGHTING=2 NORMALIZER_N=0 NORMALIZER_L=0 NORMALIZER_H=0 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
+all_three "half-angle at every pixel" LIGHTING=3
+all_three "half-angle at every pixel, without normalizers" LIGHTING=3 NORMALIZER_N=0 NORMALIZER_L=0 NORMALIZER_H=0
 
 for stage in $stages; do
   check "verilator wrinkle_$stage alone" verilator_lint "wrinkle_$stage"
@@ -107,9 +132,27 @@ for stage in $stages; do
   check "yosys     wrinkle_$stage alone, synthesized" yosys_synthesize "wrinkle_$stage"
 done
 
+# The stages that differ between the datapaths, alone.
+for stage in packet interpolate perspective texture perturb normalize light; do
+  for datapath in 0 2 3; do
+    check "verilator wrinkle_$stage alone, datapath $datapath" verilator_lint "wrinkle_$stage" DATAPATH=$datapath
+    check "yosys     wrinkle_$stage alone, datapath $datapath, synthesized" \
+      yosys_synthesize "wrinkle_$stage" DATAPATH=$datapath
+  done
+done
+for lighting in 2 3; do
+  check "yosys     wrinkle_normalize alone, lighting $lighting, synthesized" \
+    yosys_synthesize wrinkle_normalize LIGHTING=$lighting
+  check "yosys     wrinkle_light alone, lighting $lighting, synthesized" \
+    yosys_synthesize wrinkle_light LIGHTING=$lighting
+done
+
 refused "verilator refuses TEXEL_BITS=11" wrinkle_error_texel_bits verilator_lint wrinkle_core TEXEL_BITS=11
 refused "icarus refuses TEXEL_BITS=11" wrinkle_error_texel_bits icarus_lint wrinkle_core TEXEL_BITS=11
 refused "yosys refuses TEXEL_BITS=11" wrinkle_error_texel_bits yosys_check wrinkle_core TEXEL_BITS=11
+refused "verilator refuses DATAPATH=4" wrinkle_error_datapath verilator_lint wrinkle_core DATAPATH=4
+refused "icarus refuses WIDE_BITS=23" wrinkle_error_wide_bits icarus_lint wrinkle_core WIDE_BITS=23
+refused "yosys refuses LIGHTING=4" wrinkle_error_lighting yosys_check wrinkle_core LIGHTING=4
 refused "verilator refuses FILTER=3" wrinkle_error_filter verilator_lint wrinkle_core FILTER=3
 refused "icarus refuses DOT_BITS > 2 UNIT_BITS" wrinkle_error_dot_bits_exceeds icarus_lint wrinkle_core UNIT_BITS=6 \
   DOT_BITS=13 POWER_BITS=13
