@@ -12,7 +12,7 @@ namespace wrinkle {
 enum class Datapath { kPhong, kTangent, kBlinn, kRotated };
 enum class CrossProducts { kInterpolated, kConstant };
 enum class BlockExponent { kTriangle, kDraw };
-enum class LightVectors { kInterpolated, kConstant };
+enum class LightVectorSource { kInterpolated, kConstant };
 enum class Lighting { kDiffuse, kHalfangle, kReflection, kPixelHalfangle };
 enum class Normalizer { kNone, kFaithful, kLite, kNear };
 enum class NormalizeOrder { kBefore, kAfter };
@@ -49,7 +49,7 @@ struct Config {
     return has_blinn() && cross_products == static_cast<int>(CrossProducts::kInterpolated);
   }
   // L and H (or E) interpolated and normalized; else constants of the draw.
-  bool has_light_planes() const { return light_vectors == static_cast<int>(LightVectors::kInterpolated); }
+  bool has_light_planes() const { return light_vectors == static_cast<int>(LightVectorSource::kInterpolated); }
   // A third vector, H or the view vector E, and with it a highlight.
   bool has_specular() const { return !is(Lighting::kDiffuse); }
   bool has_view_vector() const { return is(Lighting::kReflection) || is(Lighting::kPixelHalfangle); }

@@ -42,7 +42,8 @@ void shade_surface(const exact::DrawContext& context, const IdealScene& ideal, c
     fragment.n = dot(point.N, cross(point.Pu, point.Pv)) < 0 ? -perturbed : perturbed;
   }
   fragment.l = towards(point.P, ideal.light, ideal.light_at_infinity);
-  fragment.h = normalize(fragment.l + towards(point.P, ideal.eye, ideal.eye_at_infinity));
+  const Vec3 eye = towards(point.P, ideal.eye, ideal.eye_at_infinity);
+  fragment.h = context.config.is(Lighting::kReflection) ? eye : normalize(fragment.l + eye);
   fragment.interpolated_n = point.N;
   fragment.interpolated_l = fragment.l;
   fragment.interpolated_h = fragment.h;

@@ -8,7 +8,7 @@ namespace wrinkle::exact {
 
 // `normalizer` is Config::normalizer_n, _l or _h. Zero stays zero.
 inline Vec3 normalize(int normalizer, Vec3 v) {
-  return normalizer == static_cast<int>(Normalizer::kFaithful) ? wrinkle::normalize(v) : v;
+  return normalizer == static_cast<int>(Normalizer::kNone) ? v : wrinkle::normalize(v);
 }
 
 }  // namespace wrinkle::exact

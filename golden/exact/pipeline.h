@@ -15,6 +15,7 @@ struct DrawContext {
   const Config& config;
   DrawWords words;
   Reflectance reflectance;
+  Vec3 l, h;                              // constant light vectors
   const ExactTexture* texture = nullptr;  // null where no texel is fetched
 };
 DrawContext draw_context(const Config& config, const Frame& frame, const Draw& draw);

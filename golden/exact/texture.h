@@ -12,7 +12,7 @@
 
 namespace wrinkle::exact {
 
-// Normal in 0 to 2, decal in 3 to 5 where it is configured, as in ExactTexture.
+// Normal in 0 to 2 (or fu, fv in 0 and 1), decal in 3 to 5 where it is configured, as in ExactTexture.
 using Sample = std::array<double, 6>;
 
 inline std::int64_t wrap_texel(int wrap, std::int64_t i, std::int64_t size) {

@@ -64,6 +64,11 @@ std::uint64_t normal_code(double n, Decode decode, int texel_bits) {
   return static_cast<std::uint64_t>(code);
 }
 
+std::uint64_t gradient_code(double f, int texel_bits) {
+  const double half = std::ldexp(1, texel_bits - 1);
+  return static_cast<std::uint64_t>(half + std::clamp(round_half_up(f * half), -half, half - 1));
+}
+
 std::uint64_t decal_code(double c, int texel_bits) {
   const double top = std::ldexp(1, texel_bits) - 1;
   return static_cast<std::uint64_t>(round_half_up(std::clamp(c, 0.0, 1.0) * top));
@@ -79,7 +84,10 @@ Texture quantise(const ExactTexture& exact, const Config& config) {
     for (const Texel& texel : from) {
       std::uint64_t word = 0;
       int shift = 0;
-      if (config.has_bump()) {
+      if (config.has_blinn()) {
+        for (std::size_t i = 0; i < 2; ++i, shift += bits) word |= gradient_code(texel[i], bits) << shift;
+      }
+      if (config.has_texture_normal()) {
         for (std::size_t i = 0; i < 3; ++i, shift += bits) word |= normal_code(texel[i], decode, bits) << shift;
       }
       if (config.decal != 0) {

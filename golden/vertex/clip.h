@@ -13,6 +13,7 @@ struct ClipVertex {
   ScreenPoint screen;
   Vec2 uv;
   Vec3 N, L, H;
+  Vec3 A, B, C;
   Vec2 parameter;
   Vec3 P;
 };

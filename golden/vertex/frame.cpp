@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <utility>
 
+#include "golden/texel/gradient_map.h"
 #include "golden/texel/quantise.h"
 #include "golden/vertex/camera.h"
 #include "golden/vertex/clip.h"
@@ -59,6 +62,40 @@ class MirroredHeight : public HeightField {
   std::shared_ptr<const HeightField> height_;
 };
 
+// A texture of the frame, and what its slopes were divided by.
+struct BoundMap {
+  int index = 0;
+  double gradient_scale = 1;
+};
+
+// Whether fu and fv of its map are by the parameters of its surface; else they are by lengths along T and B.
+bool has_derivatives(const Object& object) { return object.heights && !object.mesh.surfaces.empty(); }
+
+// The space that a draw lights in. Blinn's N' is in that of Pu and Pv; N of the rotated frame is its z.
+ShadingSpace space_of(const Config& config, const Object& object, const DrawState& state) {
+  if (config.is(Datapath::kRotated)) return ShadingSpace::kTangent;
+  return config.has_texture_normal() && state.bump ? object.space : ShadingSpace::kWorld;
+}
+
+// `B` and `C` times the scale of the slopes, and all by a power of two that brings the largest of the draw into
+// [1/2, 1).
+void scale_to_block(double gradient_scale, std::vector<ClipVertex>& vertices) {
+  double largest = 0;
+  for (ClipVertex& v : vertices) {
+    v.B = gradient_scale * v.B;
+    v.C = gradient_scale * v.C;
+    for (const Vec3* w : {&v.A, &v.B, &v.C})
+      largest = std::max({largest, std::abs(w->x), std::abs(w->y), std::abs(w->z)});
+  }
+  if (largest == 0) return;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const double scale = std::ldexp(1, -exponent);
+  for (ClipVertex& v : vertices) {
+    for (Vec3* w : {&v.A, &v.B, &v.C}) *w = scale * *w;
+  }
+}
+
 // How a triangle is seen.
 struct Facing {
   bool clockwise = false;  // on the screen
@@ -90,8 +127,10 @@ class FrameBuilder {
  private:
   void add(const Object& object);
   DrawState state_of(const Object& object);
-  int texture_index(const std::shared_ptr<const ExactTexture>& texture);
-  std::vector<ClipVertex> shade(const Object& object, bool tangent_space) const;
+  void hold_light(const Object& object, DrawState& state) const;
+  const BoundMap& map_of(const Object& object);
+  std::vector<ClipVertex> shade(const Object& object, const DrawState& state, double gradient_scale) const;
+  void light(const Object& object, const Vertex& vertex, const DrawState& state, ClipVertex& v) const;
   void add_triangle(const std::array<const ClipVertex*, 3>& corners, Facing facing, const ScreenTriangle& blank,
                     Draw& draw) const;
   ScreenVertex snap(const ClipVertex& vertex, const DrawState& state, bool back) const;
@@ -102,33 +141,90 @@ class FrameBuilder {
   Illumination illumination_;
   GuardBand band_;
   Frame frame_;
-  std::map<std::shared_ptr<const ExactTexture>, int> texture_of_;
+  std::map<std::pair<std::shared_ptr<const ExactTexture>, std::shared_ptr<const Grid<double>>>, BoundMap> map_of_;
   std::uint32_t next_id_ = 0;
 };
 
-int FrameBuilder::texture_index(const std::shared_ptr<const ExactTexture>& texture) {
-  const auto [entry, is_new] = texture_of_.try_emplace(texture, static_cast<int>(frame_.textures.size()));
-  if (is_new) {
-    frame_.textures.push_back(quantise(*texture, config_));
-    frame_.exact_textures.push_back(*texture);
+const BoundMap& FrameBuilder::map_of(const Object& object) {
+  const auto heights = config_.has_blinn() && has_derivatives(object) ? object.heights : nullptr;
+  const auto [entry, is_new] = map_of_.try_emplace({object.texture, heights});
+  BoundMap& map = entry->second;
+  if (!is_new) return map;
+  map.index = static_cast<int>(frame_.textures.size());
+  if (!config_.has_blinn()) {
+    frame_.exact_textures.push_back(*object.texture);
+  } else {
+    GradientTexture gradient = heights ? gradient_texture(*object.texture, *heights, config_.texel_bits)
+                                       : gradient_texture(*object.texture, config_.texel_bits);
+    map.gradient_scale = gradient.scale;
+    frame_.exact_textures.push_back(std::move(gradient.texture));
   }
-  return entry->second;
+  frame_.textures.push_back(quantise(frame_.exact_textures.back(), config_));
+  return map;
 }
 
 // Without a texture (or a datapath) there is nothing to perturb the normal with: the object is lit in world space.
 DrawState FrameBuilder::state_of(const Object& object) {
   DrawState state;
-  state.bump = config_.has_bump() && object.space == ShadingSpace::kTangent && object.texture;
+  state.bump = config_.has_bump() && object.space != ShadingSpace::kWorld && object.texture;
   state.textured = state.bump || (config_.decal != 0 && object.texture);
-  state.shadow = object.shadow;
+  // The hardware takes L.z for the cosine at the unperturbed surface, which it is in tangent space alone.
+  const bool in_object_space = config_.has_texture_normal() && state.bump && object.space == ShadingSpace::kObject;
+  state.shadow = object.shadow && !in_object_space;
   state.wrap_u = object.wrap_u;
   state.wrap_v = object.wrap_v;
-  state.texture = state.textured ? texture_index(object.texture) : 0;
+  state.texture = state.textured ? map_of(object).index : 0;
   state.material = object.material;
+  if (!config_.has_light_planes()) hold_light(object, state);
   return state;
 }
 
-std::vector<ClipVertex> FrameBuilder::shade(const Object& object, bool tangent_space) const {
+// L and H as constants of the draw.
+void FrameBuilder::hold_light(const Object& object, DrawState& state) const {
+  if (!scene_.light.at_infinity || !scene_.viewer_at_infinity)
+    throw std::invalid_argument("light_vectors = constant needs light and viewer at infinity");
+  const LightVectors light = illumination_.at({});
+  const Vec3 third = config_.has_view_vector() ? light.E : light.H;
+  const ShadingSpace space = space_of(config_, object, state);
+  if (space == ShadingSpace::kTangent)
+    throw std::invalid_argument("light_vectors = constant cannot light \"" + object.name +
+                                "\" in tangent space; space = \"object\" can be");
+  if (space == ShadingSpace::kObject && object.double_sided)
+    throw std::invalid_argument("light_vectors = constant cannot light both sides of \"" + object.name +
+                                "\" in object space");
+  const bool turned = space == ShadingSpace::kObject;
+  state.L = turned ? to_object_space(object.to_world, light.L) : light.L;
+  state.H = turned ? to_object_space(object.to_world, third) : third;
+}
+
+// The vectors of one vertex, in the space that the draw lights in.
+void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawState& state, ClipVertex& v) const {
+  const LightVectors light = illumination_.at(v.P);
+  const Vec3 third = config_.has_view_vector() ? light.E : light.H;
+  const TangentFrame frame = tangent_frame(vertex, object.to_world);
+  switch (space_of(config_, object, state)) {
+    case ShadingSpace::kWorld:
+      v.N = frame.N, v.L = light.L, v.H = third;
+      break;
+    case ShadingSpace::kTangent:
+      v.N = {0, 0, 1}, v.L = to_tangent_space(frame, light.L), v.H = to_tangent_space(frame, third);
+      break;
+    case ShadingSpace::kObject:
+      v.N = to_object_space(object.to_world, frame.N);
+      v.L = to_object_space(object.to_world, light.L);
+      v.H = to_object_space(object.to_world, third);
+      break;
+  }
+  if (!config_.has_blinn() || !state.bump) return;
+  Vertex repeated = vertex;
+  repeated.Pu = 1 / object.repeat.x * vertex.Pu;
+  repeated.Pv = 1 / object.repeat.y * vertex.Pv;
+  const CrossVectors cross = cross_vectors(repeated, frame, object.to_world, !has_derivatives(object));
+  v.A = cross.A, v.B = cross.B, v.C = cross.C;
+}
+
+std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawState& state,
+                                            double gradient_scale) const {
   std::vector<ClipVertex> vertices;
   vertices.reserve(object.mesh.vertices.size());
   for (const Vertex& vertex : object.mesh.vertices) {
@@ -137,20 +233,18 @@ std::vector<ClipVertex> FrameBuilder::shade(const Object& object, bool tangent_s
     v.screen = projection_(v.P);
     v.uv = vertex.uv;
     v.parameter = vertex.parameter;
-    const LightVectors light = illumination_.at(v.P);
-    const TangentFrame frame = tangent_frame(vertex, object.to_world);
-    v.N = tangent_space ? Vec3{0, 0, 1} : frame.N;
-    v.L = tangent_space ? to_tangent_space(frame, light.L) : light.L;
-    v.H = tangent_space ? to_tangent_space(frame, light.H) : light.H;
+    light(object, vertex, state, v);
     vertices.push_back(v);
   }
+  if (config_.has_blinn() && state.bump) scale_to_block(gradient_scale, vertices);
   return vertices;
 }
 
 void FrameBuilder::add(const Object& object) {
   Draw draw;
   draw.state = state_of(object);
-  const std::vector<ClipVertex> vertices = shade(object, draw.state.bump);
+  const double gradient_scale = draw.state.bump ? map_of(object).gradient_scale : 1;
+  const std::vector<ClipVertex> vertices = shade(object, draw.state, gradient_scale);
   const WorldSurfaces surfaces(object);
   // A matrix that mirrors turns all windings round.
   const bool mirrored = determinant3(object.to_world) < 0;
@@ -191,21 +285,27 @@ void FrameBuilder::add_triangle(const std::array<const ClipVertex*, 3>& corners,
 }
 
 // From behind, the whole frame is turned round, as in glTF: the perturbed normal of the back is the opposite of that
-// of the front, and what is a bump on one side is a dent on the other.
+// of the front, and what is a bump on one side is a dent on the other. Where the normal comes from a texture, or is
+// constant, L and H are turned instead.
 ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state, bool back) const {
   const double grid = std::ldexp(1, config_.subpixel_bits);
   const auto to_grid = [&](double pixels) {
     return static_cast<std::int32_t>(std::floor(std::clamp(pixels, band_.low, band_.high) * grid + 0.5));
   };
   const ScreenPoint& p = vertex.screen;
-  const bool turn_light = back && state.bump;
+  const bool turn_light =
+      back && ((config_.has_texture_normal() && state.bump) || config_.is(Datapath::kRotated));
+  const bool turn_normal = back && !turn_light;
   ScreenVertex v;
   v.x = to_grid(p.x / p.w);
   v.y = to_grid(p.y / p.w);
   v.z = std::clamp(p.z / p.w, 0.0, 1.0);
   v.q = 1 / p.w;
   v.uv = vertex.uv;
-  v.N = back && !state.bump ? -vertex.N : vertex.N;
+  v.N = turn_normal ? -vertex.N : vertex.N;
+  v.A = turn_normal ? -vertex.A : vertex.A;
+  v.B = turn_normal ? -vertex.B : vertex.B;
+  v.C = turn_normal ? -vertex.C : vertex.C;
   v.L = turn_light ? -vertex.L : vertex.L;
   v.H = turn_light ? -vertex.H : vertex.H;
   v.parameter = vertex.parameter;

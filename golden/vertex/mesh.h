@@ -19,6 +19,7 @@ struct Vertex {
   double sign = 1;  // B = sign * (N x T), up the image (to smaller uv.v); -1 where the image is seen mirrored
   Vec2 uv;          // texture coordinate in repeats; v grows downwards in the image, as in glTF
   Vec2 parameter;   // (u, v) on `surface`, where there is one; v grows upwards: uv = (u, 1 - v)
+  Vec3 Pu, Pv;      // derivatives of P by `parameter`; 0 where there is no surface
 };
 
 struct Mesh {

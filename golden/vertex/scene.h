@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "golden/config.h"
+#include "golden/texel/grid.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/draw.h"
 #include "golden/vector.h"
@@ -29,6 +30,7 @@ struct Light {
 enum class ShadingSpace {
   kWorld,    // N interpolated [Peercy97 fig. 1]
   kTangent,  // L, H in tangent space, N from the texture [Peercy97 fig. 3, eq. 7]
+  kObject,   // L, H in object space by one matrix a mesh, N from a texture in object space [Peercy97 section 2.1]
 };
 
 struct Object {
@@ -39,6 +41,10 @@ struct Object {
   Material material;
   std::shared_ptr<const ExactTexture> texture;   // normal and decal, null for none
   std::shared_ptr<const HeightField> height;     // for the ideal picture
+  // The field of the bump map over texture coordinates, where there is one, and its repeats over the surface: Blinn's
+  // bump mapping takes its slopes.
+  std::shared_ptr<const Grid<double>> heights;
+  Vec2 repeat{1, 1};
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
   bool double_sided = false;
   bool shadow = true;

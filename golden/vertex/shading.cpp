@@ -13,6 +13,20 @@ TangentFrame tangent_frame(const Vertex& vertex, const Mat4& to_world) {
   return {T, sign * cross(N, T), N};
 }
 
+Vec3 to_object_space(const Mat4& to_world, Vec3 v) {
+  const Mat4& m = to_world;
+  return normalize({m(0, 0) * v.x + m(1, 0) * v.y + m(2, 0) * v.z, m(0, 1) * v.x + m(1, 1) * v.y + m(2, 1) * v.z,
+                    m(0, 2) * v.x + m(1, 2) * v.y + m(2, 2) * v.z});
+}
+
+CrossVectors cross_vectors(const Vertex& vertex, const TangentFrame& frame, const Mat4& to_world, bool unit) {
+  if (unit) return {frame.N, frame.T, frame.B};
+  const Vec3 Pu = transform_direction(to_world, vertex.Pu), Pv = transform_direction(to_world, vertex.Pv);
+  // Where Pu x Pv points inwards, the perturbed normal that points outwards is the opposite one.
+  const double side = dot(frame.N, cross(Pu, Pv)) < 0 ? -1 : 1;
+  return {side * cross(Pu, Pv), side * cross(Pv, frame.N), side * cross(frame.N, Pu)};
+}
+
 Illumination::Illumination(const Scene& scene)
     : eye_at_infinity_(scene.viewer_at_infinity),
       light_at_infinity_(scene.light.at_infinity),
@@ -22,7 +36,7 @@ Illumination::Illumination(const Scene& scene)
 LightVectors Illumination::at(Vec3 P) const {
   const Vec3 L = light_at_infinity_ ? light_ : normalize(light_ - P);
   const Vec3 V = eye_at_infinity_ ? eye_ : normalize(eye_ - P);
-  return {L, normalize(L + V)};
+  return {L, normalize(L + V), V};
 }
 
 }  // namespace wrinkle

@@ -21,12 +21,23 @@ inline Vec3 to_tangent_space(const TangentFrame& frame, Vec3 v) {
   return {dot(v, frame.T), dot(v, frame.B), dot(v, frame.N)};
 }
 
+// A unit vector of the world in object space, for a matrix that turns, moves and scales all directions alike: the dot
+// products with what it was turned with are the same.
+Vec3 to_object_space(const Mat4& to_world, Vec3 v);
+
 // Unit vectors in world space; zero where the light (or the viewer) is at P itself.
 struct LightVectors {
-  Vec3 L, H;
+  Vec3 L, H, E;
 };
 
-// The light and the viewer, each at a point or at infinity. H = normalize(L + V).
+// Pu x Pv, Pv x N and N x Pu in the world, N on the outer side, f being measured along N [Peercy97 eq. 2]. With
+// `unit`, u and v are lengths along T and B, and the three are N, T and B.
+struct CrossVectors {
+  Vec3 A, B, C;
+};
+CrossVectors cross_vectors(const Vertex& vertex, const TangentFrame& frame, const Mat4& to_world, bool unit);
+
+// The light and the viewer, each at a point or at infinity. E points to the viewer, H = normalize(L + E).
 class Illumination {
  public:
   explicit Illumination(const Scene& scene);

@@ -10,7 +10,7 @@ namespace {
 
 Vertex surface_vertex(const Surface& surface, double u, double v) {
   const SurfacePoint s = surface.at(u, v);
-  return {s.P, s.N, surface_tangent(surface, u, v, s.N), 1, {u, 1 - v}, {u, v}};
+  return {s.P, s.N, surface_tangent(surface, u, v, s.N), 1, {u, 1 - v}, {u, v}, s.Pu, s.Pv};
 }
 
 void add_triangle(Mesh& mesh, std::uint32_t surface, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
