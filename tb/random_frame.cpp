@@ -29,6 +29,13 @@ Vec3 random_vector(Random& random) {
   return normalize({coordinate(), coordinate(), coordinate() + (random.below(4) != 0 ? 1 : 0)});
 }
 
+Vec3 random_unit_vector(Random& random) {
+  Vec3 v;
+  do v = random_vector(random);
+  while (v == Vec3{});
+  return v;
+}
+
 Texture random_texture(const Config& config, Random& random) {
   Texture texture;
   texture.log2_width = random.between(0, 7);
@@ -63,6 +70,10 @@ DrawState random_state(const Config& config, const Frame& frame, Random& random)
   state.material.specular = random_colour(random);
   const int k = random.between(-1, config.specular_squarings);
   state.material.exponent = k < 0 ? 0 : 1 << k;
+  if (!config.has_light_planes()) {
+    state.L = random_unit_vector(random);
+    state.H = random_unit_vector(random);
+  }
   return state;
 }
 
@@ -133,6 +144,12 @@ ScreenTriangle random_triangle(const Config& config, const DrawState& state, con
     vertex.N = random_vector(random);
     vertex.L = random_vector(random);
     vertex.H = random_vector(random);
+    if (!config.has_blinn()) continue;
+    // Mostly a normal perturbed by less than its length.
+    vertex.A = random_vector(random);
+    const double scale = std::exp2(-3 * random.real());
+    vertex.B = scale * random_vector(random);
+    vertex.C = scale * random_vector(random);
   }
   if (random.below(16) == 0) triangle.v[1].N = -triangle.v[0].N;
   return triangle;
