@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command.h"
+#include "sim/datapaths.h"
 #include "sim/input_error.h"
 #include "sim/progress.h"
 #include "sim/scene/scene_reader.h"
@@ -19,6 +20,8 @@ struct Options {
   std::vector<std::string> scenes, configs, set;
   std::vector<std::filesystem::path> vectors;
   std::uint64_t random = 0;
+  bool all = false;
+  std::filesystem::path folder = "out";
   RtlOptions rtl;
   std::filesystem::path trace, json;
 };
@@ -128,14 +131,30 @@ bool verify_vectors(const Options& options, nlohmann::json& runs) {
   return good;
 }
 
+// A frame of every datapath and option; true when all are equal.
+bool verify_all(const Options& options, nlohmann::json& frames) {
+  print_comparison_heading();
+  std::vector<Picture> sheet;
+  bool equal = true;
+  for (const DatapathFrame& frame : datapath_frames()) {
+    frames.push_back(compare_engines(frame.comparison, options.rtl, options.folder, sheet));
+    frames.back()["row"] = frame.row;
+    equal &= frames.back()["mismatches"] == 0;
+  }
+  write_picture(options.folder / "datapaths.png", contact_sheet(sheet, 3));
+  return equal;
+}
+
 int verify(const Options& options) {
-  if (options.scenes.empty() && options.vectors.empty() && options.random == 0)
-    throw InputError(Place{"verify"}, "nothing to verify", "scenes, --random N or --vectors FILE");
+  if (options.scenes.empty() && options.vectors.empty() && options.random == 0 && !options.all)
+    throw InputError(Place{"verify"}, "nothing to verify", "scenes, --all, --random N or --vectors FILE");
   nlohmann::json runs = nlohmann::json::array();
   bool equal = verify_scenes(options, runs);
   if (options.random > 0) equal &= verify_random(options, runs);
   equal &= verify_vectors(options, runs);
-  write_json(options.json, {{"equal", equal}, {"runs", runs}});
+  nlohmann::json frames = nlohmann::json::array();
+  if (options.all) equal &= verify_all(options, frames);
+  write_json(options.json, {{"equal", equal}, {"runs", runs}, {"frames", frames}});
   return equal ? kExitEqual : kExitDifferent;
 }
 
@@ -150,6 +169,8 @@ void add_verify(CLI::App& app, Run& run) {
       ->allow_extra_args(false);
   command->add_option("--set", options->set, "Change a parameter of the configurations: KEY=VALUE")
       ->allow_extra_args(false);
+  command->add_flag("--all", options->all, "A frame of every datapath and option, with pictures and errors");
+  command->add_option("-o,--output", options->folder, "Folder for the pictures of --all")->capture_default_str();
   command->add_option("--random", options->random, "At least this many fragments of random triangles");
   command->add_option("--vectors", options->vectors, "Files of vectors: coverage, trilinear, normalize, rsqrt")
       ->allow_extra_args(false);

@@ -1,0 +1,33 @@
+// One scene through every engine: golden and RTL compared bit for bit, errors of method and of precision, pictures.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/command.h"
+#include "sim/picture.h"
+
+namespace wrinkle {
+
+struct Comparison {
+  std::string name, scene;
+  std::string config;            // empty: what the scene names
+  std::vector<std::string> set;  // KEY=VALUE on top of it
+};
+
+// The columns of print_comparison().
+void print_comparison_heading();
+
+// Draws the scene by RTL without stalls (for the clocks) and under those of `rtl`, by golden, exact and ideal; writes
+// the pictures NAME.png, NAME_golden.png, ... into `folder`, prints a line, and appends RTL picture, method error and
+// precision error to `sheet`. The object has `name`, `config`, `pixels`, `mismatches`, `cycles`, `pixels_per_clock`,
+// `psnr_method_db` (null where there is no analytic surface), `psnr_precision_db`, `image` and more.
+nlohmann::json compare_engines(const Comparison& comparison, const RtlOptions& rtl, const std::filesystem::path& folder,
+                               std::vector<Picture>& sheet);
+
+// Differences in difference pictures are shown this many times as large, about mid grey.
+inline constexpr double kDifferenceGain = 8;
+
+}  // namespace wrinkle

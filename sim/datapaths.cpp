@@ -1,0 +1,29 @@
+#include "sim/datapaths.h"
+
+namespace wrinkle {
+
+std::vector<DatapathFrame> datapath_frames() {
+  return {
+      {0, {"phong", "patch_fig1", "phong", {}}},
+      {0, {"tangent", "patch_fig6", "standard", {}}},
+      {0, {"no_normalizer", "patch_fig6", "standard", {"normalizer_l=none", "normalizer_h=none"}}},
+      {1, {"blinn", "patch_fig5", "blinn", {}}},
+      {1, {"blinn_draw_exponent", "patch_fig5", "blinn", {"block_exponent=draw"}}},
+      {1, {"blinn_constant", "patch_fig5", "blinn_constant", {}}},
+      {2, {"object_space", "patch_object", "standard", {}}},
+      {2, {"object_space_constant", "patch_object", "object_constant", {}}},
+      {3, {"independence_patch", "independence_patch", "", {}}},
+      {3, {"independence_rectangle", "independence_rectangle", "", {}}},
+      {3, {"independence_sphere", "independence_sphere", "", {}}},
+      {3, {"independence_torus", "independence_torus", "", {}}},
+      {3, {"independence_revolution", "independence_revolution", "", {}}},
+      {4, {"rotated", "patch_rotated", "rotated", {}}},
+      {5, {"reflection", "patch_reflection", "reflection", {}}},
+      {5, {"pixel_halfangle", "patch_pixel_halfangle", "pixel_halfangle", {}}},
+      {6, {"fig5", "patch_fig5", "blinn", {}}},
+      {6, {"fig6", "patch_fig6", "standard", {}}},
+      {6, {"fig7", "patch_fig7", "standard", {}}},
+  };
+}
+
+}  // namespace wrinkle
