@@ -39,6 +39,8 @@ const std::vector<Aov>& table() {
       {"interpolated_L", "light vector from the vertices", "interpolate", "l", WRINKLE_EXACT3(interpolated_l)},
       {"interpolated_H", "half-angle vector from the vertices", "interpolate", "h", WRINKLE_EXACT3(interpolated_h)},
       {"texture_N", "normal from the texture", "texture", "n", WRINKLE_EXACT3(texture_n)},
+      {"gradient", "slopes fu, fv from the texture", "texture", "gradient",
+       {WRINKLE_EXACT(gradient.x), WRINKLE_EXACT(gradient.y)}},
       {"decal", "base colour from the texture", "texture", "decal", WRINKLE_EXACT3(decal)},
       {"triangle", "1 + number of the triangle in the frame, 0 where there is none", "", "", {}},
   };

@@ -46,6 +46,19 @@ NormalMap normal_map(const Grid<double>& height, double k) {
   return from_gradients(height, [&](double, double, double fu, double fv) { return square_patch_normal(k, fu, fv); });
 }
 
+NormalMap out_of_tangent_space(const NormalMap& map, const Surface& surface) {
+  NormalMap result(map.width, map.height);
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const SurfacePoint s = surface.at((x + 0.5) / map.width, 1 - (y + 0.5) / map.height);
+      const Vec3 T = normalize(s.Pu - dot(s.Pu, s.N) * s.N);
+      const Vec3 n = map.at(x, y);
+      result.at(x, y) = normalize(n.x * T + n.y * cross(s.N, T) + n.z * s.N);
+    }
+  }
+  return result;
+}
+
 NormalMap normal_map_from_image(const Grid<Vec3>& image, double scale) {
   NormalMap map(image.width, image.height);
   std::transform(image.samples.begin(), image.samples.end(), map.samples.begin(), [&](Vec3 c) {

@@ -21,6 +21,9 @@ NormalMap normal_map(const Grid<double>& height, const Surface& surface);
 // For any surface, as if |Pu| = |Pv| = k and Pu at right angles to Pv [Peercy97 eq. 8-11].
 NormalMap normal_map(const Grid<double>& height, double k);
 
+// Texels of a tangent-space map of `surface` in the space that `surface` lies in [Peercy97 section 2.1].
+NormalMap out_of_tangent_space(const NormalMap& map, const Surface& surface);
+
 // From an image of a normal map with components in [0, 1]: n = 2c - 1, not normalized. `scale` other than 1 multiplies
 // x and y, and normalizes (glTF's normalTexture.scale).
 NormalMap normal_map_from_image(const Grid<Vec3>& image, double scale = 1);

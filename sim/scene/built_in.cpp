@@ -12,9 +12,14 @@
 namespace wrinkle {
 namespace {
 
-enum Kind { kPatch, kTeapot, kSphere, kTorus, kRectangle, kCube, kFloor, kWall };
-constexpr std::array<std::string_view, 8> kNames = {"patch",     "teapot", "sphere", "torus",
+enum Kind { kPatch, kTeapot, kSphere, kTorus, kRevolution, kRectangle, kCube, kFloor, kWall };
+constexpr std::array<std::string_view, 9> kNames = {"patch",     "teapot", "sphere", "torus", "revolution",
                                                     "rectangle", "cube",   "floor",  "wall"};
+
+// A vase between its foot at height -1 and its rim at 1: radius and height.
+std::vector<Vec2> vase() {
+  return {{0.42, -1}, {0.62, -0.7}, {0.78, -0.35}, {0.72, 0}, {0.5, 0.35}, {0.38, 0.65}, {0.46, 0.9}, {0.56, 1}};
+}
 
 // A measure of another mesh is an error.
 void reject(const TomlTable& table, bool condition, std::string_view key, const std::string& meshes) {
@@ -42,6 +47,8 @@ Surfaces surfaces_of(const TomlTable& table, Kind kind) {
       }
       return {std::make_shared<Torus>(radii[0], radii[1])};
     }
+    case kRevolution:
+      return {std::make_shared<Revolution>(vase())};
     case kRectangle:
       return make_rectangle();
     case kCube:
@@ -56,7 +63,7 @@ Surfaces surfaces_of(const TomlTable& table, Kind kind) {
 
 // Divisions along u and v: one number, or one each.
 std::array<int, 2> read_tessellation(const TomlTable& table, Kind kind) {
-  const bool round = kind == kSphere || kind == kTorus;
+  const bool round = kind == kSphere || kind == kTorus || kind == kRevolution;
   const bool flat = kind >= kRectangle;
   const int standard = round ? 48 : flat ? 1 : kStandardDivisions;
   if (!table.is_array("tessellation")) {

@@ -38,6 +38,13 @@ MipChain normals_from_heights(const Grid<double>& height, double k, MipMethod mi
   return mip == MipMethod::kHeights ? normal_mips(height, k) : normal_mips(normal_map(height, k));
 }
 
+MipChain object_normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip) {
+  if (mip == MipMethod::kNormals) return normal_mips(out_of_tangent_space(normal_map(height, surface), surface));
+  MipChain chain = normal_mips(height, surface);
+  for (NormalMap& level : chain) level = out_of_tangent_space(level, surface);
+  return chain;
+}
+
 std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal) {
   MipChain colours;
   if (decal) {

@@ -25,6 +25,8 @@ Grid<double> regular_heights(const Grid<double>& height);
 enum class MipMethod { kNormals, kHeights };
 MipChain normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip);
 MipChain normals_from_heights(const Grid<double>& height, double k, MipMethod mip);
+// The same in the space that the surface lies in, not in that of its tangents.
+MipChain object_normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip);
 
 // Either may be absent.
 std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal);

@@ -139,6 +139,17 @@ class RepeatedHeightField : public HeightField {
   Vec2 repeat_;
 };
 
+// Whether a matrix turns, moves and scales all directions alike, without a mirror.
+bool is_similarity(const Mat4& m) {
+  const auto column = [&](int j) { return Vec3{m(0, j), m(1, j), m(2, j)}; };
+  const Vec3 x = column(0), y = column(1), z = column(2);
+  const double square = dot(x, x), tolerance = 1e-9 * square;
+  const bool even = std::abs(dot(y, y) - square) < tolerance && std::abs(dot(z, z) - square) < tolerance;
+  const bool square_on = std::abs(dot(x, y)) < tolerance && std::abs(dot(y, z)) < tolerance &&
+                         std::abs(dot(z, x)) < tolerance;
+  return even && square_on && determinant3(m) > 0;
+}
+
 // The k of Eq. 8-11 for a mesh in the world: the square root of its area by the area of its texture coordinates.
 double scale_of(const Object& object) {
   double area = 0, uv_area = 0;
@@ -231,6 +242,8 @@ class ObjectReader {
 
   void add_heights(Object& object, const Bump& bump) const {
     const Vec2 repeat = read_repeat();
+    object.heights = std::make_shared<Grid<double>>(*bump.heights);
+    object.repeat = repeat;
     if (bump.by_surface) {
       if (object.mesh.surfaces.empty()) {
         throw InputError(table_.place("mesh"), "a mesh without analytic surface",
@@ -240,17 +253,43 @@ class ObjectReader {
         throw InputError(table_.place("repeat"), "repeat other than 1",
                          "[1, 1] for method = \"eq3-6\", whose normals fit one place of the surface only");
       }
-      const auto surface = transformed(object.mesh.surfaces.front(), object.to_world);
-      object.texture = make_texture(normals_from_heights(*bump.heights, *surface, bump.mip), base_);
+      object.texture = make_texture(surface_normals(object, bump), base_);
     }
     if (object.mesh.surfaces.empty()) return;
     object.height = std::make_shared<SampledHeightField>(*bump.heights);
     if (repeat != Vec2{1, 1}) object.height = std::make_shared<RepeatedHeightField>(object.height, repeat);
   }
 
+  bool in_object_space() const {
+    return table_.has("space") && table_.choice("space", {"world", "tangent", "object"}) == 2;
+  }
+
+  // Heights are lengths in the world. Normals in object space are those of the object before it was scaled, turned and
+  // moved, which the surface under the scale alone has too.
+  MipChain surface_normals(const Object& object, const Bump& bump) const {
+    const auto& surface = object.mesh.surfaces.front();
+    if (!in_object_space()) {
+      return normals_from_heights(*bump.heights, *transformed(surface, object.to_world), bump.mip);
+    }
+    const double scale = std::cbrt(determinant3(object.to_world));
+    return object_normals_from_heights(*bump.heights, *transformed(surface, scaling({scale, scale, scale})), bump.mip);
+  }
+
   void set_space(Object& object, const Bump& bump) const {
     if (!table_.has("space")) return;
-    const bool tangent = table_.choice("space", {"world", "tangent"}) == 1;
+    if (in_object_space()) {
+      if (!bump.by_surface || !bump.heights) {
+        throw InputError(table_.place("space"), "space = \"object\" without normals in object space",
+                         "height and method = \"eq3-6\" beside it");
+      }
+      if (!is_similarity(object.to_world)) {
+        throw InputError(table_.place("space"), "space = \"object\" of a mesh that is mirrored or scaled unevenly",
+                         "one scale for all directions, greater than 0");
+      }
+      object.space = ShadingSpace::kObject;
+      return;
+    }
+    const bool tangent = table_.choice("space", {"world", "tangent", "object"}) == 1;
     if (tangent && !bump.any() && object.space != ShadingSpace::kTangent) {
       throw InputError(table_.place("space"), "space = \"tangent\" without normals to light",
                        "normal_map or height beside it");
