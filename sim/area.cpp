@@ -11,6 +11,7 @@
 #include "sim/config_file.h"
 #include "sim/input_error.h"
 #include "sim/report/baseline.h"
+#include "sim/report/collect.h"
 #include "sim/report/fpga.h"
 
 namespace wrinkle {
@@ -58,16 +59,6 @@ FiguresByName by_name(const nlohmann::json& report, const std::string& name) {
   return {{name + ".nand2", report["nand2"]}, {name + ".critical_path_ns", report["critical_path_ns"]}};
 }
 
-// The configurations of Fig. 1, 2, 3: one file each, and standard widths.
-Figures measure_figures(const AreaOptions& options) {
-  const std::vector<std::string> no_shadow{"self_shadow=off"};
-  std::vector<std::string> phong = no_shadow;
-  phong.push_back("datapath=phong");
-  const Config standard = load_config("standard");
-  return measure_figures(apply_overrides(standard, phong), apply_overrides(load_config("blinn"), no_shadow),
-                         apply_overrides(standard, no_shadow), options);
-}
-
 int check_or_keep(const Options& options, const FiguresByName& figures) {
   if (options.keep) write_baseline(baseline_path("area"), figures);
   if (!options.check) return kExitEqual;
@@ -75,7 +66,7 @@ int check_or_keep(const Options& options, const FiguresByName& figures) {
 }
 
 int run_figures(const Options& options) {
-  const Figures figures = measure_figures(area_options(options));
+  const Figures figures = named_figures(area_options(options));
   for (const AreaReport* report : {&figures.fig1, &figures.fig2, &figures.fig3}) print_report(*report);
   nlohmann::json json = to_json(figures);
   fmt::print("(fig3 - fig1) / fig1 = {:.3f} %   (fig2 - fig1) / fig1 = {:.1f} %\n",

@@ -27,6 +27,8 @@ void add_stress(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
 void add_area(CLI::App& app, Run& run);
 void add_error(CLI::App& app, Run& run);
+void add_speed(CLI::App& app, Run& run);
+void add_report(CLI::App& app, Run& run);
 
 // --config NAME and --set KEY=VALUE.
 struct ConfigOptions {

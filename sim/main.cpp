@@ -21,6 +21,8 @@ int run(int argc, char** argv) {
   wrinkle::add_bench(app, command);
   wrinkle::add_area(app, command);
   wrinkle::add_error(app, command);
+  wrinkle::add_speed(app, command);
+  wrinkle::add_report(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,91 @@
+// report: measures what is asked for, and writes it as one page, as JSON, CSV and Markdown.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "sim/command.h"
+#include "sim/input_error.h"
+#include "sim/picture.h"
+#include "sim/report/collect.h"
+#include "sim/report/tables.h"
+#include "tb/process.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path folder = "out", from;
+  ReportOptions measure;
+};
+
+void replace(std::string& text, const std::string& what, const std::string& with) {
+  const auto at = text.find(what);
+  if (at == std::string::npos) throw std::logic_error("the page has no " + what);
+  text.replace(at, what.size(), with);
+}
+
+std::string part(const fs::path& path) {
+  std::string text = read_text(path);
+  if (text.empty()) throw InputError(Place{path.string()}, "missing or empty");
+  return text;
+}
+
+// JSON inside of a script element: no "</script" may end it.
+std::string embedded(const nlohmann::json& data) {
+  std::string text = data.dump();
+  for (auto at = text.find("</"); at != std::string::npos; at = text.find("</", at)) text.replace(at, 2, "<\\/");
+  return text;
+}
+
+std::string page(const nlohmann::json& data) {
+  const fs::path folder = fs::path(WRINKLE_SOURCE_DIR) / "sim" / "report" / "page";
+  std::string text = part(folder / "page.html");
+  replace(text, "@STYLE@", part(folder / "page.css"));
+  replace(text, "@SCRIPT@", part(folder / "page.js"));
+  replace(text, "@CHART@", part("/usr/share/javascript/chart.js/chart.min.js"));  // Debian's libjs-chart.js
+  replace(text, "@DATA@", embedded(data));
+  return text;
+}
+
+nlohmann::json read_json(const fs::path& path) {
+  const std::string text = part(path);
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(Place{path.string()}, error.what(), "what an earlier report wrote");
+  }
+}
+
+int report(const Options& options) {
+  const nlohmann::json data = options.from.empty() ? collect(options.measure) : read_json(options.from);
+  write_text(options.folder / "report.html", page(data));
+  write_text(options.folder / "report.json", data.dump(1) + "\n");
+  write_text(options.folder / "report.csv", csv_tables(data));
+  write_text(options.folder / "report.md", markdown_tables(data));
+  fmt::print("{}\n", (options.folder / "report.html").string());
+  return kExitEqual;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("report", "One page of everything measured: area, error, pictures, speed");
+  command->add_option("-o,--output", options->folder, "Folder for report.html, .json, .csv and .md")
+      ->capture_default_str();
+  command->add_option("--configs", options->measure.configs, "Configurations to measure")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--scenes", options->measure.scenes, "Scenes to draw")->delimiter(',')->capture_default_str();
+  command->add_flag("--rtl", options->measure.rtl, "Also pictures by the RTL");
+  command->add_flag("--no-area", options->measure.no_area, "Leave out what needs synthesis");
+  command->add_flag("--no-speed", options->measure.no_speed, "Leave out timings");
+  command->add_option("--from", options->from, "Make the page from the report.json of an earlier run");
+  command->callback([options, &run] { run = [options] { return report(*options); }; });
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,25 @@
+// All measurements of a report as one JSON object.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/report/area.h"
+
+namespace wrinkle {
+
+struct ReportOptions {
+  std::vector<std::string> configs{"lean", "standard", "perspective", "fine"};
+  std::vector<std::string> scenes{"patch_fig1", "patch_fig6", "patch_fig7", "teapot"};
+  bool rtl = false, no_area = false, no_speed = false;
+};
+
+// {figures, configs: [{name, datapath, normalizer, area, error}], pictures: [{name, png}], speed, provenance}. Parts
+// that were left out are absent.
+nlohmann::json collect(const ReportOptions& options);
+
+// Fig. 1, 2 and 3 from the named configurations `standard` and `blinn`.
+Figures named_figures(const AreaOptions& options);
+
+}  // namespace wrinkle

@@ -1,0 +1,119 @@
+#include "sim/report/tables.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace wrinkle {
+namespace {
+
+using nlohmann::json;
+
+struct Table {
+  std::string name;
+  std::vector<std::string> columns;
+  std::vector<std::pair<std::string, std::vector<std::string>>> rows;
+};
+
+// The number or text at a path of keys; empty where it is absent.
+std::string cell(const json& from, const std::vector<std::string>& path) {
+  const json* at = &from;
+  for (const std::string& key : path) {
+    if (!at->contains(key)) return {};
+    at = &(*at)[key];
+  }
+  return at->is_number_float() ? fmt::format("{:.6g}", at->get<double>())
+         : at->is_string()     ? at->get<std::string>()
+                               : at->dump();
+}
+
+using Columns = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+Table table(const std::string& name, const json& rows, const std::string& row_key, const Columns& columns) {
+  Table result{name, {}, {}};
+  for (const auto& [title, path] : columns) result.columns.push_back(title);
+  for (const json& row : rows) {
+    auto& cells = result.rows.emplace_back(cell(row, {row_key}), std::vector<std::string>()).second;
+    for (const auto& [title, path] : columns) cells.push_back(cell(row, path));
+  }
+  return result;
+}
+
+std::vector<Table> tables(const json& report) {
+  std::vector<Table> all;
+  const Columns stage{{"nand2", {"nand2"}},
+                      {"um2", {"um2"}},
+                      {"flip_flops", {"flip_flops"}},
+                      {"critical_path_ns", {"critical_path_ns"}},
+                      {"given", {"given"}}};
+  for (const char* figure : {"fig1", "fig2", "fig3"}) {
+    if (report.contains("figures")) all.push_back(table(figure, report["figures"][figure]["stages"], "stage", stage));
+  }
+  all.push_back(table("configurations", report["configs"], "name",
+                      {{"datapath", {"datapath"}},
+                       {"normalizer", {"normalizer"}},
+                       {"nand2", {"area", "nand2"}},
+                       {"flip_flops", {"area", "flip_flops"}},
+                       {"critical_path_ns", {"area", "critical_path_ns"}},
+                       {"sum_to_flat", {"area", "deviation"}},
+                       {"precision_db", {"error", "precision", "psnr_db"}},
+                       {"method_db", {"error", "method", "psnr_db"}},
+                       {"ssim", {"error", "precision", "ssim"}}}));
+  for (const json& config : report["configs"]) {
+    if (!config.contains("error")) continue;
+    all.push_back(table("error of " + config["name"].get<std::string>(), config["error"]["stages"], "stage",
+                        {{"ulp_rms", {"ulp", "rms"}},
+                         {"ulp_max", {"ulp", "max"}},
+                         {"degrees_rms", {"degrees", "rms"}},
+                         {"degrees_max", {"degrees", "max"}},
+                         {"length_max", {"length", "max"}},
+                         {"grey_rms", {"grey", "rms"}},
+                         {"grey_max", {"grey", "max"}},
+                         {"alone_db", {"psnr_alone_db"}},
+                         {"without_db", {"psnr_without_db"}}}));
+  }
+  if (report.contains("speed")) {
+    all.push_back(table("engines", report["speed"]["engines"], "engine",
+                        {{"pixels_per_cpu_s", {"pixels_per_cpu_s"}}, {"faithful_to", {"faithful_to"}}}));
+    all.push_back(table("chips", report["speed"]["chips"], "config",
+                        {{"clocks_per_pixel", {"clocks_per_pixel"}},
+                         {"period_ns", {"period_ns"}},
+                         {"pixels_per_s", {"pixels_per_s"}}}));
+  }
+  return all;
+}
+
+std::string quoted(const std::string& text) {
+  return text.find_first_of(",\"") == std::string::npos ? text : fmt::format("\"{}\"", text);
+}
+
+}  // namespace
+
+std::string csv_tables(const json& report) {
+  std::string text = "table,row,column,value\n";
+  for (const Table& t : tables(report)) {
+    for (const auto& [row, cells] : t.rows) {
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        text += fmt::format("{},{},{},{}\n", quoted(t.name), quoted(row), t.columns[i], quoted(cells[i]));
+    }
+  }
+  return text;
+}
+
+std::string markdown_tables(const json& report) {
+  std::string text = "# Report\n";
+  for (const Table& t : tables(report)) {
+    text += fmt::format("\n## {}\n\n| | {} |\n|", t.name, fmt::join(t.columns, " | "));
+    for (std::size_t i = 0; i <= t.columns.size(); ++i) text += " --- |";
+    text += "\n";
+    for (const auto& [row, cells] : t.rows) text += fmt::format("| {} | {} |\n", row, fmt::join(cells, " | "));
+  }
+  text += "\n## provenance\n\n";
+  for (const auto& [key, value] : report["provenance"].items())
+    text += fmt::format("- {}: {}\n", key, value.get<std::string>());
+  return text;
+}
+
+}  // namespace wrinkle
