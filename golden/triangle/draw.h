@@ -48,7 +48,8 @@ struct DrawState {
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
   int texture = 0;  // index into Frame::textures
   Material material;
-  Vec3 L, H;  // constant light vectors, unit length: H is E where the lighting asks for it
+  // Constant light vectors, unit length: H is E where the lighting asks for it.
+  Vec3 L{0, 0, 1}, H{0, 0, 1};
 };
 
 struct Draw {

@@ -56,13 +56,16 @@ TEST(Packet, TrianglesComeBackFromTheirWords) {
 
 TEST(Packet, DrawsComeBackFromTheirWords) {
   Random random(2);
-  const Config config = fixed_widths();
+  Config config = fixed_widths();
   for (int i = 0; i < 1000; ++i) {
+    config.light_vectors = i % 2;
     const auto flag = [&] { return random.integer(0, 1) != 0; };
     const auto field = [&](int bits) { return static_cast<int>(random.integer(0, (1 << bits) - 1)); };
     DrawWords draw{flag(),   flag(),   flag(),    flag(),   field(2), field(2), field(4),
                    field(4), field(4), field(12), field(4), {},       {},       {}};
     for (auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular}) *colour = {field(16), field(16), field(16)};
+    const auto unit = [&] { return field(config.unit_bits + 2) - (1 << (config.unit_bits + 1)); };
+    if (i % 2 == 1) draw.l = {unit(), unit(), unit()}, draw.h = {unit(), unit(), unit()};
     std::vector<std::uint64_t> words;
     encode(config, draw, words);
     ASSERT_EQ(words.size(), static_cast<std::size_t>(config.draw_words()));
@@ -129,6 +132,46 @@ TEST(Packet, ComponentsFollowTheConfiguration) {
   EXPECT_FALSE(has(Component::kU) || has(Component::kQ) || has(Component::kLod));
   config.lighting = 0, config.depth = 0;
   EXPECT_EQ(component_formats(config).size(), 6u);
+}
+
+// Words 4 and 5 of docs/formats.md: three fields of F + 2 bits each.
+TEST(Packet, ConstantLightVectorsLieWhereTheFormatSays) {
+  Config config = fixed_widths();
+  config.light_vectors = 1, config.unit_bits = 10;
+  DrawState state;
+  state.L = {-1, 0, 0}, state.H = {0, 0.6, 0.8};
+  std::vector<std::uint64_t> words;
+  encode(config, quantise(config, state, {}), words);
+  ASSERT_EQ(words.size(), 6u);
+  EXPECT_EQ(words[4], 0xC00u) << "-2^10 in 12 bits";
+  EXPECT_EQ(words[5], std::uint64_t{614} << 12 | std::uint64_t{819} << 24) << "614.4 and 819.2";
+  state.H = {0, 0.6, 0.9};
+  EXPECT_THROW(quantise(config, state, {}), std::invalid_argument);
+}
+
+TEST(Packet, CrossProductsComeFirstAndConstantsHaveOneField) {
+  Config config = fixed_widths();
+  config.datapath = 2, config.wide_bits = 16, config.cross_products = 0;
+  const auto first = [&](std::size_t i) { return component_formats(config).at(i); };
+  EXPECT_EQ(first(0).component, Component::kAx);
+  EXPECT_EQ(first(8).component, Component::kCz);
+  EXPECT_EQ(first(9).component, Component::kLx);
+  EXPECT_EQ(first(0).width, 18);
+  TriangleWords triangle;
+  triangle.planes[static_cast<std::size_t>(Component::kAz)].dw = -1;
+  triangle.planes[static_cast<std::size_t>(Component::kBx)].value = 5;
+  const auto scan_words = static_cast<std::size_t>(scan_word_count(config));
+  // Three planes of three fields of 28 bits: B begins at bit 252 with a width of 28, or of 18 where it is constant.
+  std::vector<std::uint64_t> words;
+  encode(config, triangle, words);
+  EXPECT_EQ(words[scan_words + 3] >> 60, 5u);
+  config.cross_products = 1;
+  triangle.planes[static_cast<std::size_t>(Component::kBy)].value = 3;
+  words.clear();
+  encode(config, triangle, words);
+  EXPECT_EQ(words[scan_words + 3] >> 60, 5u);
+  EXPECT_EQ(words[scan_words + 4] >> 14 & 0x3FFFF, 3u) << "bit 252 + 18";
+  EXPECT_EQ(decode_triangle(config, words), triangle);
 }
 
 TEST(Packet, WhatIsCutShortOrOfAnotherOpcodeIsRefused) {

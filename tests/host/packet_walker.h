@@ -58,7 +58,7 @@ inline ScreenTriangle triangle(Point a, Point b, Point c) {
   for (std::size_t i = 0; i < 3; ++i) {
     ScreenVertex& vertex = result.v[i];
     vertex.x = points[i].x, vertex.y = points[i].y;
-    vertex.N = vertex.L = vertex.H = {0, 0, 1};
+    vertex.N = vertex.L = vertex.H = vertex.A = {0, 0, 1};
   }
   return result;
 }
@@ -69,6 +69,7 @@ inline void randomize_attributes(Random& random, ScreenTriangle& triangle) {
     vertex.q = random.real(0.1, 3);
     vertex.uv = {random.real(-0.3, 0.5), random.real(-0.4, 0.45)};
     vertex.N = random.unit_vector(), vertex.L = random.unit_vector(), vertex.H = random.unit_vector();
+    for (Vec3* w : {&vertex.A, &vertex.B, &vertex.C}) *w = random.real(0.01, 1) * random.unit_vector();
   }
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "golden/triangle/corners.h"
 #include "tests/host/planes.h"
 
 namespace wrinkle {
@@ -7,13 +8,30 @@ namespace {
 
 using namespace test;
 
+// One of the nine components of Pu x Pv, Pv x N and N x Pu, at corner i of `t`.
+double cross_value(const Config& config, const ScreenTriangle& t, Component component, std::size_t i) {
+  const Corners corners = sort_corners(config, t);
+  const CrossCorners cross = cross_corners(config, corners, bumped());
+  const std::size_t place = at(component) - at(Component::kAx);
+  const auto& vectors = place < 3 ? cross.a : place < 6 ? cross.b : cross.c;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (corners.v[k] != &t.v[i]) continue;
+    return place % 3 == 0 ? vectors[k].x : place % 3 == 1 ? vectors[k].y : vectors[k].z;
+  }
+  return 0;
+}
+
 std::array<double, 3> corner_values(const Config& config, const ScreenTriangle& t, Component component) {
   std::array<double, 3> values{};
   const double margin =
       std::ldexp(1.0, std::min(std::max(config.screen_bits - config.guard_bits, 0), config.depth_bits - 3));
   for (std::size_t i = 0; i < 3; ++i) {
     const ScreenVertex& v = t.v[i];
-    const double all[kComponents] = {
+    if (at(component) >= at(Component::kAx)) {
+      values[i] = cross_value(config, t, component, i);
+      continue;
+    }
+    const double all[] = {
         v.N.x,
         v.N.y,
         v.N.z,
@@ -44,6 +62,7 @@ void measure(const Config& config, const ScreenTriangle& t, Worst& worst) {
   const double guard = std::ldexp(1.0, config.guard_bits);
   for (const TriangleWords& packet : set_up(config, t, bumped(), config.screen_size(), config.screen_size())) {
     for (const ComponentFormat& format : component_formats(config)) {
+      if (format.is_constant) continue;
       const std::array<double, 3> values = corner_values(config, t, format.component);
       std::array<std::int64_t, 3> corner{};
       for (std::size_t i = 0; i < 3; ++i) {

@@ -21,6 +21,10 @@ TriangleWords random_packet(const Config& config, Random& random) {
   for (const ComponentFormat& format : component_formats(config)) {
     const std::int64_t limit = std::int64_t{1} << (format.width + config.guard_bits - 1);
     auto& plane = t.planes[static_cast<std::size_t>(format.component)];
+    if (format.is_constant) {
+      plane.value = pattern(random, {-limit >> config.guard_bits, (limit >> config.guard_bits) - 1});
+      continue;
+    }
     plane = {pattern(random, {-limit, limit - 1}), pattern(random, {-limit, limit - 1}),
              pattern(random, {-limit, limit - 1})};
   }
@@ -33,6 +37,7 @@ TriangleWords random_packet(const Config& config, Random& random) {
 std::int64_t expected(const Config& config, const ComponentFormat& format, const TriangleWords& t, std::int64_t w,
                       std::int64_t y) {
   const PlaneWords& plane = t.planes[static_cast<std::size_t>(format.component)];
+  if (format.is_constant) return plane.value;
   EdgeWords edge = t.start;  // the start of the row, and the carries on the way
   Int128 value = plane.value;
   for (std::int64_t row = t.y; row < y; ++row) {
@@ -50,8 +55,9 @@ std::int64_t expected(const Config& config, const ComponentFormat& format, const
 }
 
 std::int64_t got(const FragmentValues& values_of, const std::vector<Value>& list, Component component) {
-  static constexpr std::string_view kNames[] = {"n", "n", "n", "l", "l", "l", "h", "h", "h", "u", "v", "q", "lod", "z"};
-  static constexpr std::size_t kElements[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 0, 0, 0, 0};
+  static constexpr std::string_view kNames[] = {"n", "n", "n", "l",   "l", "l", "h", "h", "h", "u", "v", "q",
+                                                "lod", "z", "a", "a", "a", "b", "b", "b", "c", "c", "c"};
+  static constexpr std::size_t kElements[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 0, 0, 0, 0, 0, 1, 2, 0, 1, 2, 0, 1, 2};
   const auto c = static_cast<std::size_t>(component);
   for (std::size_t i = 0; i < list.size(); ++i)
     if (list[i].stage == "interpolate" && list[i].name == kNames[c]) return values_of[i][kElements[c]];
@@ -110,6 +116,51 @@ TEST(Interpolate, AllTargetsAgree) {
     const auto scalar = draw(Lanes::kScalar);
     for_each_target(
         [&](const std::string& target) { ASSERT_EQ(draw(Lanes::kSimd), scalar) << name << ", " << target; });
+  }
+}
+
+// The wide planes of blinn keep the same bound; what is constant is rounded once.
+TEST(Interpolate, CrossProductsStayWithinTheirBound) {
+  Worst planes("interpolate a, b, c, share of 1/2 + (steps + 2) 2^-(G+1)", 1);
+  Worst constants("interpolate b, c held over a triangle, LSB", 0.5);
+  Random random(base_seed());
+  const int size = 100;
+  for (int cross : {0, 1}) {
+    for (int block : {0, 1}) {
+      const Config config =
+          with({{&Config::datapath, 2}, {&Config::cross_products, cross}, {&Config::block_exponent, block}});
+      DrawState state;
+      state.bump = state.textured = true;
+      Texture texture;
+      texture.levels = {{0}};
+      const std::vector<Texture> textures{texture};
+      const DrawWords draw = quantise(config, state, textures);
+      for (int round = 0; round < 50; ++round) {
+        const ScreenTriangle triangle = random_triangle(config, random, size);
+        const Corners corners = sort_corners(config, triangle);
+        if (corners.area == 0) continue;
+        const exact::Barycentric barycentric(config, corners);
+        const exact::Attributes attributes(config, corners, draw);
+        const auto sink = [&](const auto& batch) {
+          for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+            const auto x = static_cast<int>(batch.scan_x[0][i]), y = static_cast<int>(batch.scan_y[0][i]);
+            const exact::Interpolated want = attributes.at(barycentric.at(x, y));
+            const double bound = 0.5 + (2 * size + 2) * std::ldexp(1.0, -config.guard_bits - 1);
+            const auto error = [&](std::int64_t value, double exact) {
+              return static_cast<double>(value) - std::ldexp(exact, config.wide_bits);
+            };
+            planes.see(error(batch.interpolate_a[0][i], want.a.x) / bound);
+            planes.see(error(batch.interpolate_a[2][i], want.a.z) / bound);
+            const double b = error(batch.interpolate_b[1][i], want.b.y), c = error(batch.interpolate_c[2][i], want.c.z);
+            if (cross == 0)
+              planes.see(b / bound), planes.see(c / bound);
+            else
+              constants.see(b), constants.see(c);
+          }
+        };
+        Golden(config, textures).draw(packets_of(config, triangle, state, textures, size), {sink, sink});
+      }
+    }
   }
 }
 

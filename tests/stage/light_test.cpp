@@ -27,6 +27,7 @@ double power_bound(const Config& config, int squarings) {
 
 TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
   Worst nl("light nl, ulp of u1.DF", 0.5), nh("light nh, ulp of u1.DF", 0.5);
+  Worst reflection("light R.E, share of its bound", 1);
   Worst power("light (N.H)^n without shadow, share of its bound", 1);
   Worst diffuse("light diffuse, no or hard shadow, ulp of u1.DF", 0.5),
       smooth("light diffuse, smooth, ulp of u1.DF", 5);
@@ -57,7 +58,13 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
       else if (!shadowed || !draw.bump || !at_edge)
         diffuse.see(error);
       if (!config.has_specular()) continue;
-      nh.see(got(batch->light_nh) - one * lit.nh);
+      const double nh_error = got(batch->light_nh) - one * lit.nh;
+      if (config.is(Lighting::kReflection)) {
+        // N.L and N.E are rounded to s1.F before they are multiplied, which moves R.E by at most 2^(1-F).
+        reflection.see(nh_error / (0.5 + std::ldexp(1.01, config.dot_bits + 1 - config.unit_bits)));
+        continue;
+      }
+      nh.see(nh_error);
       if (!shadowed)
         power.see((got(batch->light_specular) - std::ldexp(lit.specular, config.power_bits)) /
                   std::max(0.5, draw.exponent_zero ? 0 : power_bound(config, draw.squarings)));
@@ -103,6 +110,22 @@ TEST(Light, ExtremesOfDots) {
   one.shade({148, 148, 148}, {148, 148, 148}, {148, 149, 148});
   EXPECT_EQ(one.nl(), 65536) << "34: 148^2 * 3 is above 1";
   EXPECT_EQ(one.nh(), 65536) << "34";
+}
+
+// R = 2 (N.L) N - L: the mirror direction is 1, and below the horizon there is nothing.
+TEST(Light, ReflectionOfTheLight) {
+  const Config config = with({{&Config::lighting, 2}, {&Config::unit_bits, 8}, {&Config::dot_bits, 10}});
+  Lighting1 one(config);
+  one.shade({0, 0, 256}, {154, 0, 205}, {-154, 0, 205});  // 3-4-5
+  EXPECT_NEAR(static_cast<double>(one.nh()), 1024, 3);
+  one.shade({0, 0, 256}, {154, 0, 205}, {205, 0, -154});
+  EXPECT_EQ(one.nh(), 0) << "at right angles to R and below";
+  one.shade({0, 0, 256}, {0, 0, 256}, {0, 154, 205});
+  EXPECT_NEAR(static_cast<double>(one.nh()), 1024 * 205 / 256.0, 1) << "R is N";
+  one.shade({0, 0, -256}, {0, 0, 256}, {0, 0, 256});
+  EXPECT_EQ(one.nh(), 0) << "N.L is negative, though R.E is 1";
+  one.shade({0, 0, 256}, {256, 0, 0}, {-256, 0, 0});
+  EXPECT_EQ(one.nh(), 0) << "N.L is exactly 0";
 }
 
 // 35, 36: exponents 0, 1 and the greatest, at N.H = 1 and one LSB below.

@@ -70,6 +70,17 @@ inline std::vector<NamedConfig> configurations(int random_count = 12) {
       {"bilinear", with({{&Config::filter, 1}, {&Config::decode, 1}})},
       {"perspective", with({{&Config::perspective, 1}})},
       {"decal", with({{&Config::decal, 1}, {&Config::depth, 0}})},
+      {"blinn", with({{&Config::datapath, 2}})},
+      {"blinn with decal, constant cross products",
+       with({{&Config::datapath, 2}, {&Config::decal, 1}, {&Config::cross_products, 1}, {&Config::filter, 1}})},
+      {"widest blinn", with({{&Config::datapath, 2}, {&Config::wide_bits, 22}, {&Config::gradient_bits, 12}})},
+      {"rotated", with({{&Config::datapath, 3}})},
+      {"constant light vectors", with({{&Config::light_vectors, 1}})},
+      {"reflection", with({{&Config::lighting, 2}})},
+      {"reflection, not normalized",
+       with({{&Config::lighting, 2}, {&Config::normalizer_n, 0}, {&Config::normalizer_l, 0}, {&Config::normalizer_h, 0}})},
+      {"half-angle of the pixel", with({{&Config::lighting, 3}})},
+      {"half-angle of the pixel, constant light vectors", with({{&Config::lighting, 3}, {&Config::light_vectors, 1}})},
       {"narrowest", extreme(false)},
       {"widest", extreme(true)},
   };
@@ -90,7 +101,7 @@ inline Range range_of(const Config& config, const Value& value) {
                            : value.name == "l" ? config.normalizer_l
                                                : config.normalizer_h;
     const std::int64_t one = up_to(value.fraction_bits);
-    if (normalizer == static_cast<int>(Normalizer::kFaithful)) return {-one, one};
+    if (normalizer != static_cast<int>(Normalizer::kNone)) return {-one, one};
   }
   if (value.name == "lod" && config.perspective == 0) return {0, up_to(value.width - 2) - 1};
   if (value.is_signed) return {-up_to(value.width - 1), up_to(value.width - 1) - 1};
@@ -136,6 +147,10 @@ inline DrawWords random_draw(const Config& config, Random& random) {
   draw.log2_height = static_cast<int>(uniform(random, 0, 6));
   draw.max_level = static_cast<int>(uniform(random, 0, std::max(draw.log2_width, draw.log2_height)));
   draw.squarings = static_cast<int>(uniform(random, 0, config.specular_squarings));
+  if (!config.has_light_planes())
+    for (auto* vector : {&draw.l, &draw.h})
+      for (int& component : *vector)
+        component = static_cast<int>(pattern(random, {-(1 << config.unit_bits), 1 << config.unit_bits}));
   for (auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular})
     for (int& channel : *colour) channel = static_cast<int>(pattern(random, {0, 1 << config.colour_bits}));
   return draw;

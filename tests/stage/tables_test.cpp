@@ -6,7 +6,7 @@
 
 #include "golden/pixel/context.h"
 #include "golden/pixel/reciprocal.h"
-#include "golden/pixel/rsqrt.h"
+#include "golden/pixel/normalizer_geometry.h"
 
 namespace wrinkle {
 namespace {

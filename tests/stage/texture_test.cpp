@@ -24,9 +24,12 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
       std::array<float, 6> texel{};
       for (std::size_t k = 0; k < static_cast<std::size_t>(texture.components); ++k) {
         const double code = static_cast<double>(word >> (k * static_cast<std::size_t>(t)) & ((1u << t) - 1));
-        const bool is_normal = config.has_bump() && k < 3;
-        texel[k + (config.has_bump() ? 0 : 3)] =
-            static_cast<float>(is_normal ? std::ldexp(2 * code - centre, -t) : std::ldexp(code, -t));
+        const auto bump = static_cast<std::size_t>(config.bump_components());
+        const double half = std::ldexp(1.0, t - 1);
+        if (k >= bump)
+          texel[k - bump + 3] = static_cast<float>(std::ldexp(code, -t));
+        else
+          texel[k] = static_cast<float>(config.has_blinn() ? code / half - 1 : std::ldexp(2 * code - centre, -t));
       }
       texels.push_back(texel);
     }
@@ -37,7 +40,9 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
 // Per axis and level the coordinate is off by half a weight's LSB, at most, of a difference of neighbours up to the
 // full range: 2 for normals, 1 for decals. Then half an ulp of the output.
 TEST(Texture, SamplesStayWithinTheirBounds) {
-  Worst normal("texture normal, share of 2^(1-B) + ulp/2", 1), decal("texture decal, share of 2^-B + ulp/2", 1);
+  Worst normal("texture normal, share of 2^(1-B) + ulp/2", 1);
+  // One ulp: what rounds up to 1 saturates.
+  Worst gradient("texture gradient, share of 2^(1-B) + ulp", 1), decal("texture decal, share of 2^-B + ulp/2", 1);
   std::uint64_t seed = base_seed();
   for (auto [name, config] : configurations(60)) {
     if (!config.has_texture()) continue;
@@ -67,13 +72,38 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
       const exact::Sample want =
           exact::sample(config, draw, exact_texture, {real(u[i], config.uv_bits), real(v[i], config.uv_bits)}, lod);
       for (std::size_t k = 0; k < 3; ++k) {
-        if (config.has_bump())
+        if (config.has_blinn() && k < 2)
+          gradient.see((real(batch->texture_gradient[k][i], config.gradient_bits) - want[k]) /
+                       (2 * weight_error + std::ldexp(1.0, -config.gradient_bits) + 1e-6));
+        if (config.has_texture_normal())
           normal.see((real(batch->texture_n[k][i], config.vector_bits) - want[k]) /
                      (2 * weight_error + n_ulp / 2 + 1e-6));
         if (config.decal != 0)
           decal.see((real(batch->texture_decal[k][i], config.texel_bits) - want[k + 3]) /
                     (weight_error + decal_ulp / 2 + 1e-6));
       }
+    }
+  }
+}
+
+// Codes at both ends, the middle and one LSB beside: c stands for c - 2^(T-1), whatever `decode` says.
+TEST(Texture, SlopesAreSigned) {
+  for (int decode : {0, 1}) {
+    const Config config = with({{&Config::datapath, 2}, {&Config::decode, decode}, {&Config::gradient_bits, 9}});
+    for (const auto& [code, slope] : {std::pair<std::uint64_t, std::int64_t>{0, -512}, {127, -4}, {128, 0}, {129, 4},
+                                      {255, 508}}) {
+      Texture texture;
+      texture.components = 2;
+      texture.levels = {{code | (255 - code) << 8}};
+      Context context = make_context(config);
+      DrawWords draw;
+      draw.bump = draw.textured = true;
+      set_draw(context, draw, std::make_shared<BoundTexture>(bind_texture(texture, Wrap::kRepeat, Wrap::kRepeat)));
+      auto batch = std::make_unique<Batch<std::int64_t>>();
+      batch->count = 1;
+      batch = run_one(context, kTexture, std::move(batch));
+      EXPECT_EQ(batch->texture_gradient[0][0], slope);
+      EXPECT_EQ(batch->texture_gradient[1][0], -slope - 4);
     }
   }
 }
