@@ -89,8 +89,8 @@ struct Parameter {
   std::string_view name;
   int Config::*member;
   int standard;
-  int minimum, maximum;                      // of a choice: 0 and the number of values less 1
-  std::vector<std::string_view> values;      // names of a choice; empty for a width
+  int minimum, maximum;                  // of a choice: 0 and the number of values less 1
+  std::vector<std::string_view> values;  // names of a choice; empty for a width
   std::string_view description;
 };
 std::span<const Parameter> parameters();
@@ -98,7 +98,7 @@ std::span<const Parameter> parameters();
 // The first rule the configuration breaks; empty key when it is legal.
 struct IllegalParameter {
   std::string key;
-  std::string message;                       // value, legal range, and why
+  std::string message;  // value, legal range, and why
 };
 IllegalParameter check(const Config& config);
 

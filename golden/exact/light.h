@@ -36,7 +36,8 @@ inline Lit light(const Config& config, const DrawWords& draw, Vec3 n, Vec3 l, Ve
     for (int i = 0; !draw.exponent_zero && i < draw.squarings; ++i) lit.specular *= lit.specular;
   }
   if (draw.shadow) {
-    const double through = self_shadow(config, config.has_texture_normal() && draw.bump ? cosine(surface_cosine) : lit.nl);
+    const double through =
+        self_shadow(config, config.has_texture_normal() && draw.bump ? cosine(surface_cosine) : lit.nl);
     lit.diffuse *= through;
     lit.specular *= lit.nl > 0 ? through : 0;
   }

@@ -35,8 +35,7 @@ HWY_INLINE typename L::V reflected(const L& l, const Config& c, const Batch& bat
   const auto n_e = dot_product(l, batch.normalize_n, batch.normalize_h, i);
   const auto l_e = dot_product(l, batch.normalize_l, batch.normalize_h, i);
   const typename L::Int one = typename L::Int{1} << c.unit_bits;
-  const auto unit = [&](typename L::V x)
-                        HWY_ATTR { return saturate(l, round_half_up(l, x, c.unit_bits), -one, one); };
+  const auto unit = [&](typename L::V x) HWY_ATTR { return saturate(l, round_half_up(l, x, c.unit_bits), -one, one); };
   const auto r = l.sub(l.shl(l.mul(unit(n_l), unit(n_e)), 1), l_e);
   return l.select(l.less(l.set(0), n_l), clamped(l, c, r), l.set(0));
 }

@@ -38,8 +38,9 @@ GradientTexture from_slopes(const ExactTexture& base, Grid<Vec3> level0, int tex
 GradientTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits) {
   const Grid<Vec2> slopes = gradients(height);
   Grid<Vec3> level0(slopes.width, slopes.height);
-  std::transform(slopes.samples.begin(), slopes.samples.end(), level0.samples.begin(),
-                 [](Vec2 f) { return Vec3{f.x, f.y, 0}; });
+  std::transform(slopes.samples.begin(), slopes.samples.end(), level0.samples.begin(), [](Vec2 f) {
+    return Vec3{f.x, f.y, 0};
+  });
   return from_slopes(base, resample(level0, base.width(0), base.height(0)), texel_bits);
 }
 

@@ -28,10 +28,10 @@ struct TextureCorners {
 };
 TextureCorners texture_corners(const Config& config, const Corners& corners, const DrawWords& draw);
 
-// N, L or H at the corners as the hardware gets them. Where `perspective` is on and a normalizer of any length follows, each is
-// scaled by its q, relative to the largest of the triangle: the direction of a linearly interpolated q V is that of the
-// perspective-correct V, and the normalizer takes the length away, so the hardware pays nothing. The scale is at least
-// 2^-4, beyond which short vectors would cost more in precision than the correction gains.
+// N, L or H at the corners as the hardware gets them. Where `perspective` is on and a normalizer of any length follows,
+// each is scaled by its q, relative to the largest of the triangle: the direction of a linearly interpolated q V is
+// that of the perspective-correct V, and the normalizer takes the length away, so the hardware pays nothing. The scale
+// is at least 2^-4, beyond which short vectors would cost more in precision than the correction gains.
 std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners, Vec3 ScreenVertex::*member,
                                    int normalizer);
 

@@ -16,12 +16,12 @@ namespace wrinkle {
 // A projected corner. x, y are already on the sub-pixel grid (units of 2^-S pixel, y down); all else is float64.
 struct ScreenVertex {
   std::int32_t x = 0, y = 0;
-  double z = 0;    // [0, 1]
-  double q = 1;    // 1/w up to a factor per triangle
-  Vec2 uv;         // repeats; not multiplied by q
-  Vec3 N, L, H;    // in the frame the draw lights in, unit length; H is the view vector E where the lighting asks for it
-  // Pu x Pv, Pv x N, N x Pu [Peercy97 eq. 2] in that frame, the latter two times the full scale of the gradient texture;
-  // of a draw the largest component is in [1/2, 1). Only where the datapath is Blinn's.
+  double z = 0;  // [0, 1]
+  double q = 1;  // 1/w up to a factor per triangle
+  Vec2 uv;       // repeats; not multiplied by q
+  Vec3 N, L, H;  // in the frame the draw lights in, unit length; H is the view vector E where the lighting asks for it
+  // Pu x Pv, Pv x N, N x Pu [Peercy97 eq. 2] in that frame, the latter two times the full scale of the gradient
+  // texture; of a draw the largest component is in [1/2, 1). Only where the datapath is Blinn's.
   Vec3 A, B, C;
   Vec2 parameter;  // on the analytic surface
   Vec3 P;          // world position, for the ideal picture

@@ -23,7 +23,7 @@ struct DrawWords {
   int texture = 0;
   int squarings = 0;
   std::array<int, 3> ambient{}, diffuse{}, specular{};  // u1.C
-  std::array<int, 3> l{}, h{};  // s1.F; constant light vectors: L, and H or E; else 0
+  std::array<int, 3> l{}, h{};                          // s1.F; constant light vectors: L, and H or E; else 0
 
   bool operator==(const DrawWords&) const = default;
 };
@@ -41,6 +41,7 @@ struct PlaneWords {
 };
 
 // The components of `interpolate`. A configuration has a subset of them; component_formats() has their order.
+// clang-format off
 enum class Component {
   kNx, kNy, kNz, kLx, kLy, kLz,
   kHx, kHy, kHz,  // or the view vector
@@ -49,6 +50,7 @@ enum class Component {
   kBx, kBy, kBz,
   kCx, kCy, kCz
 };
+// clang-format on
 inline constexpr int kComponents = 23;
 
 struct ComponentFormat {

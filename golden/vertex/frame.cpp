@@ -223,8 +223,7 @@ void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawS
   v.A = cross.A, v.B = cross.B, v.C = cross.C;
 }
 
-std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawState& state,
-                                            double gradient_scale) const {
+std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawState& state, double gradient_scale) const {
   std::vector<ClipVertex> vertices;
   vertices.reserve(object.mesh.vertices.size());
   for (const Vertex& vertex : object.mesh.vertices) {
@@ -293,8 +292,7 @@ ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state
     return static_cast<std::int32_t>(std::floor(std::clamp(pixels, band_.low, band_.high) * grid + 0.5));
   };
   const ScreenPoint& p = vertex.screen;
-  const bool turn_light =
-      back && ((config_.has_texture_normal() && state.bump) || config_.is(Datapath::kRotated));
+  const bool turn_light = back && ((config_.has_texture_normal() && state.bump) || config_.is(Datapath::kRotated));
   const bool turn_normal = back && !turn_light;
   ScreenVertex v;
   v.x = to_grid(p.x / p.w);

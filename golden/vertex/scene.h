@@ -22,7 +22,7 @@ struct Camera {
 };
 
 struct Light {
-  Vec3 position{0, 0, 1};        // or the direction towards the light, when at infinity
+  Vec3 position{0, 0, 1};  // or the direction towards the light, when at infinity
   bool at_infinity = true;
 };
 
@@ -39,8 +39,8 @@ struct Object {
   Mat4 to_world;
   ShadingSpace space = ShadingSpace::kWorld;
   Material material;
-  std::shared_ptr<const ExactTexture> texture;   // normal and decal, null for none
-  std::shared_ptr<const HeightField> height;     // for the ideal picture
+  std::shared_ptr<const ExactTexture> texture;  // normal and decal, null for none
+  std::shared_ptr<const HeightField> height;    // for the ideal picture
   // The field of the bump map over texture coordinates, where there is one, and its repeats over the surface: Blinn's
   // bump mapping takes its slopes.
   std::shared_ptr<const Grid<double>> heights;
@@ -57,11 +57,12 @@ struct Scene {
   Vec3 background;
   Camera camera;
   Light light;
-  bool viewer_at_infinity = true;                // V constant: the direction of the camera's +z
+  bool viewer_at_infinity = true;  // V constant: the direction of the camera's +z
   std::vector<Object> objects;
 };
 
-// The vertex rate: transforms, lights, clips to the guard band, culls, projects and snaps. Textures are quantised for `config`.
+// The vertex rate: transforms, lights, clips to the guard band, culls, projects and snaps. Textures are quantised for
+// `config`.
 Frame build_frame(const Config& config, const Scene& scene);
 
 }  // namespace wrinkle

@@ -145,8 +145,8 @@ bool is_similarity(const Mat4& m) {
   const Vec3 x = column(0), y = column(1), z = column(2);
   const double square = dot(x, x), tolerance = 1e-9 * square;
   const bool even = std::abs(dot(y, y) - square) < tolerance && std::abs(dot(z, z) - square) < tolerance;
-  const bool square_on = std::abs(dot(x, y)) < tolerance && std::abs(dot(y, z)) < tolerance &&
-                         std::abs(dot(z, x)) < tolerance;
+  const bool square_on =
+      std::abs(dot(x, y)) < tolerance && std::abs(dot(y, z)) < tolerance && std::abs(dot(z, x)) < tolerance;
   return even && square_on && determinant3(m) > 0;
 }
 

@@ -113,11 +113,11 @@ void sample(const Root& root, Taps& taps) {
   }
   WRINKLE_STAGES(WRINKLE_STAGE)
 #undef WRINKLE_STAGE
-#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, is_present)      \
-  if constexpr (requires { root.wrinkle_core__DOT__##stage##_##name; }) {                      \
-    constexpr int index = static_cast<int>(wrinkle::ValueIndex::stage##_##name);               \
-    taps.present |= 1ULL << index;                                                             \
-    taps.values[index] = whole(root.wrinkle_core__DOT__##stage##_##name);                      \
+#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, is_present) \
+  if constexpr (requires { root.wrinkle_core__DOT__##stage##_##name; }) {                 \
+    constexpr int index = static_cast<int>(wrinkle::ValueIndex::stage##_##name);          \
+    taps.present |= 1ULL << index;                                                        \
+    taps.values[index] = whole(root.wrinkle_core__DOT__##stage##_##name);                 \
   }
 #include "golden/pixel/components.def"
 #undef WRINKLE_VALUE

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "golden/exact/exact.h"
 #include "golden/pixel/pixel.h"
@@ -13,6 +12,7 @@
 #include "golden/vertex/camera.h"
 #include "golden/vertex/scene.h"
 #include "golden/vertex/shading.h"
+#include "golden/vertex/surfaces.h"
 #include "golden/vertex/tessellate.h"
 #include "golden/vertex/transform.h"
 #include "tests/host/packet_walker.h"
@@ -39,7 +39,8 @@ Scene patch_scene(int tessellation, Map map, Mat4 to_world = {}) {
   object.material.exponent = 16;
   if (map != Map::kNone) {
     const auto placed = transformed(surface, to_world);
-    NormalMap normals = map == Map::kSquare ? normal_map(kHeights, mean_scale(*surface)) : normal_map(kHeights, *placed);
+    NormalMap normals =
+        map == Map::kSquare ? normal_map(kHeights, mean_scale(*surface)) : normal_map(kHeights, *placed);
     if (map == Map::kObject) normals = out_of_tangent_space(normal_map(kHeights, *surface), *surface);
     object.texture = std::make_shared<ExactTexture>(assemble({normals}, {}));
     auto texture = std::make_shared<ExactTexture>(*object.texture);
@@ -47,6 +48,8 @@ Scene patch_scene(int tessellation, Map map, Mat4 to_world = {}) {
     object.texture = texture;
     object.height = std::make_shared<SampledHeightField>(kHeights);
     object.heights = std::make_shared<Grid<double>>(kHeights);
+    // At the borders of the patch a repeated map would mix normals of opposite sides.
+    object.wrap_u = object.wrap_v = Wrap::kClamp;
     object.space = map == Map::kObject ? ShadingSpace::kObject : ShadingSpace::kTangent;
   }
   Scene scene;
@@ -69,9 +72,8 @@ using FloatEngine = void (*)(const Config&, const Frame&, const ExactSink&);
 
 Pixels picture(FloatEngine engine, const Config& config, const Frame& frame) {
   Pixels pixels(static_cast<std::size_t>(kSize * kSize), 0);
-  engine(config, frame, [&](const ExactFragment& f) {
-    pixels[static_cast<std::size_t>(f.y * kSize + f.x)] = f.colour.y;
-  });
+  engine(config, frame,
+         [&](const ExactFragment& f) { pixels[static_cast<std::size_t>(f.y * kSize + f.x)] = f.colour.y; });
   return pixels;
 }
 
@@ -128,10 +130,13 @@ TEST(Rivals, PrecisionIsThatOfStandard) {
   EXPECT_GT(measure("standard", with({}), patch_scene(8, Map::kSurface)).precision, 45);
   EXPECT_GT(measure("blinn", with({{&Config::datapath, 2}}), patch_scene(8, Map::kSurface)).precision, 45);
   EXPECT_GT(measure("blinn, exponent of the draw", with({{&Config::datapath, 2}, {&Config::block_exponent, 1}}),
-                    patch_scene(8, Map::kSurface)).precision, 45);
+                    patch_scene(8, Map::kSurface))
+                .precision,
+            45);
   EXPECT_GT(measure("object space", with({}), patch_scene(8, Map::kObject)).precision, 45);
   EXPECT_GT(measure("object space, constant L, H", with({{&Config::light_vectors, 1}}), patch_scene(8, Map::kObject))
-                .precision, 45);
+                .precision,
+            45);
   EXPECT_GT(measure("rotated", with({{&Config::datapath, 3}}), patch_scene(8, Map::kNone)).precision, 45);
   EXPECT_GT(measure("phong", with({{&Config::datapath, 0}}), patch_scene(8, Map::kNone)).precision, 45);
   EXPECT_GT(measure("reflection", with({{&Config::lighting, 2}}), patch_scene(8, Map::kSurface)).precision, 40);
@@ -203,15 +208,14 @@ TEST(Rivals, CrossVectorsAreBlinns) {
     const double fu = random.real(-1, 1), fv = random.real(-1, 1);
     const Vec3 Pu = transform_direction(m, vertex.Pu), Pv = transform_direction(m, vertex.Pv);
     const Vec3 got = normalize(v.A - fu * v.B - fv * v.C);
-    const Vec3 want =
-        mirrored ? -perturbed_normal_blinn(Pu, Pv, -fu, -fv) : perturbed_normal_blinn(Pu, Pv, fu, fv);
+    const Vec3 want = mirrored ? -perturbed_normal_blinn(Pu, Pv, -fu, -fv) : perturbed_normal_blinn(Pu, Pv, fu, fv);
     ASSERT_LT(length(got - want), 1e-12);
     ASSERT_GT(dot(v.A, frame.N), 0);
   }
 }
 
-// 56: |Pu|, |Pv| from 2^-12 to 2^12 in one draw, Pu nearly along Pv: with an exponent a triangle each triangle keeps its
-// precision, and nothing wraps.
+// 56: |Pu|, |Pv| from 2^-12 to 2^12 in one draw, Pu nearly along Pv: with an exponent a triangle each triangle keeps
+// its precision, and nothing wraps.
 TEST(Rivals, BlockExponentOfATriangleKeepsEveryScale) {
   Random random(56);
   const Config config = with({{&Config::datapath, 2}});
@@ -229,7 +233,6 @@ TEST(Rivals, BlockExponentOfATriangleKeepsEveryScale) {
       const double others = scale * std::exp2(random.real(-6, 0));
       v.B = others * random.unit_vector(), v.C = others * random.unit_vector();
     }
-    const Corners corners = sort_corners(config, triangle);
     Frame frame;
     frame.width = frame.height = 64;
     frame.textures = {texture};
@@ -278,8 +281,8 @@ TEST(Rivals, BumpsFromNothingToAll) {
     Vec3 n;
     const auto sink = [&](const auto& batch) {
       const double one = std::ldexp(1.0, config.unit_bits);
-      n = (1 / one) * Vec3{double(batch.normalize_n[0][0]), double(batch.normalize_n[1][0]),
-                           double(batch.normalize_n[2][0])};
+      n = (1 / one) *
+          Vec3{double(batch.normalize_n[0][0]), double(batch.normalize_n[1][0]), double(batch.normalize_n[2][0])};
       EXPECT_EQ(batch.normalize_zero[0][0], 0);
     };
     Golden(config, frame.textures).draw(build_packets(config, frame).words, {sink, sink});

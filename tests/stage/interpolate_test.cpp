@@ -55,7 +55,7 @@ std::int64_t expected(const Config& config, const ComponentFormat& format, const
 }
 
 std::int64_t got(const FragmentValues& values_of, const std::vector<Value>& list, Component component) {
-  static constexpr std::string_view kNames[] = {"n", "n", "n", "l",   "l", "l", "h", "h", "h", "u", "v", "q",
+  static constexpr std::string_view kNames[] = {"n",   "n", "n", "l", "l", "l", "h", "h", "h", "u", "v", "q",
                                                 "lod", "z", "a", "a", "a", "b", "b", "b", "c", "c", "c"};
   static constexpr std::size_t kElements[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 0, 0, 0, 0, 0, 1, 2, 0, 1, 2, 0, 1, 2};
   const auto c = static_cast<std::size_t>(component);

@@ -90,8 +90,8 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
 TEST(Texture, SlopesAreSigned) {
   for (int decode : {0, 1}) {
     const Config config = with({{&Config::datapath, 2}, {&Config::decode, decode}, {&Config::gradient_bits, 9}});
-    for (const auto& [code, slope] : {std::pair<std::uint64_t, std::int64_t>{0, -512}, {127, -4}, {128, 0}, {129, 4},
-                                      {255, 508}}) {
+    for (const auto& [code, slope] :
+         {std::pair<std::uint64_t, std::int64_t>{0, -512}, {127, -4}, {128, 0}, {129, 4}, {255, 508}}) {
       Texture texture;
       texture.components = 2;
       texture.levels = {{code | (255 - code) << 8}};
