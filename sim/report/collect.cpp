@@ -102,11 +102,14 @@ json speed_entry(const ReportOptions& options, const json& configs) {
   return result;
 }
 
+std::string source_version() {
+  if (!fs::exists(fs::path(WRINKLE_SOURCE_DIR) / ".git")) return "not in a repository";
+  return first_line({"git", "-C", WRINKLE_SOURCE_DIR, "describe", "--always", "--dirty"});
+}
+
 json provenance(const ReportOptions& options) {
-  const fs::path root = WRINKLE_SOURCE_DIR;
   json result;
-  // Outside of a repository git prints why it has no answer; it is shown as it is.
-  result["source"] = first_line({"git", "-C", root.string(), "describe", "--always", "--dirty"});
+  result["source"] = source_version();
   result["command"] = fmt::format("./wrinkle report --configs {} --scenes {}{}{}{}", fmt::join(options.configs, ","),
                                   fmt::join(options.scenes, ","), options.rtl ? " --rtl" : "",
                                   options.no_area ? " --no-area" : "", options.no_speed ? " --no-speed" : "");

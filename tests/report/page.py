@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""Loads a report in headless Chromium: hovers a point, moves the divide, filters, and asks for console errors.
+
+usage: page.py REPORT.html [SCREENSHOT.png]      exit code 77: Chromium or chromedriver is not here
+Speaks the WebDriver protocol itself, so that nothing but Debian's chromium and chromium-driver is needed.
+"""
+import base64
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.error
+import urllib.request
+
+SKIPPED = 77
+
+
+class Driver:
+    """A session of chromedriver on a port it chose."""
+
+    def __init__(self, folder):
+        self.process = subprocess.Popen(
+            ["chromedriver", "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        for line in self.process.stdout:
+            if "was started successfully on port" in line:
+                self.url = "http://127.0.0.1:" + line.rsplit(" ", 1)[1].strip().rstrip(".")
+                break
+        arguments = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                     "--window-size=1100,900", "--user-data-dir=" + folder]
+        capabilities = {"browserName": "chrome", "goog:loggingPrefs": {"browser": "ALL"},
+                        "goog:chromeOptions": {"args": arguments, "binary": shutil.which("chromium")}}
+        self.session = ""
+        self.session = "/session/" + self.call("POST", "/session", {
+            "capabilities": {"alwaysMatch": capabilities}})["sessionId"]
+
+    def call(self, method, path, body=None):
+        data = None if body is None else json.dumps(body).encode()
+        request = urllib.request.Request(self.url + self.session + path, data, {"Content-Type": "application/json"},
+                                         method=method)
+        try:
+            with urllib.request.urlopen(request, timeout=120) as answer:
+                return json.load(answer)["value"]
+        except urllib.error.HTTPError as error:
+            raise SystemExit(f"{path}: {error.read().decode()[:2000]}")
+
+    def run(self, script):
+        return self.call("POST", "/execute/sync", {"script": script, "args": []})
+
+    def mouse(self, *steps):
+        """Steps are points of the window to move to, and "down" and "up"."""
+        actions = []
+        for step in steps:
+            if step in ("down", "up"):
+                actions.append({"type": "pointerDown" if step == "down" else "pointerUp", "button": 0})
+            else:
+                actions.append({"type": "pointerMove", "duration": 50, "x": round(step[0]), "y": round(step[1])})
+        self.call("POST", "/actions", {"actions": [
+            {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": actions}]})
+
+    def screenshot(self, path):
+        pathlib.Path(path).write_bytes(base64.b64decode(self.call("GET", "/screenshot")))
+
+    def close(self):
+        if self.session:
+            self.call("DELETE", "")
+        self.process.terminate()
+        self.process.wait()
+
+
+def check(good, what):
+    print(("ok      " if good else "FAILED  ") + what)
+    if not good:
+        raise SystemExit(1)
+
+
+def wait_for(driver, script):
+    for _ in range(100):
+        if driver.run(script):
+            return True
+        time.sleep(0.1)
+    return False
+
+
+def hover(driver, chart):
+    """The tooltip of the first point of a chart, as text."""
+    point = driver.run(f"""
+        const chart = wrinkleReport.charts.{chart};
+        chart.canvas.scrollIntoView({{block: 'center', behavior: 'instant'}});
+        const set = chart.data.datasets.findIndex(d => d.data.length > 0);
+        const at = chart.getDatasetMeta(set).data[0].getCenterPoint(), box = chart.canvas.getBoundingClientRect();
+        return [box.left + at.x, box.top + at.y];""")
+    driver.mouse([point[0] - 40, point[1] - 40], point)
+    return driver.run(f"""
+        const tooltip = wrinkleReport.charts.{chart}.tooltip;
+        return tooltip.opacity > 0 ? tooltip.body.flatMap(b => b.lines).join(' ') : '';""")
+
+
+PICTURE = """
+    const canvas = document.getElementById('picture-canvas');
+    const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    let hash = 0;
+    for (let i = 0; i < data.length; i += 4) hash = (hash * 31 + data[i]) | 0;
+    return hash;"""
+
+
+def drag_divide(driver, share):
+    """Drags the handle of the slider to a share of its length; its value then."""
+    box = driver.run("""
+        const slider = document.getElementById('picture-split');
+        slider.scrollIntoView({block: 'center', behavior: 'instant'});
+        const box = slider.getBoundingClientRect();
+        return [box.left, box.top + box.height / 2, box.width, slider.value / 100];""")
+    inset = 8  # half of the handle
+    x = lambda s: box[0] + inset + s * (box[2] - 2 * inset)
+    driver.mouse([x(box[3]), box[1]], "down", [x(share), box[1]], "up")
+    return float(driver.run("return document.getElementById('picture-split').value"))
+
+
+def look(driver, page, screenshot):
+    driver.call("POST", "/url", {"url": pathlib.Path(page).resolve().as_uri()})
+    check(wait_for(driver, "return typeof wrinkleReport === 'object' && Object.keys(wrinkleReport.charts).length >= 2"),
+          "the page draws its charts")
+    charts = driver.run("""
+        return Object.entries(wrinkleReport.charts)
+            .filter(([, chart]) => chart.data.datasets.some(d => d.data.length > 0)).map(([name]) => name);""")
+    check(charts, f"charts with points: {', '.join(charts)}")
+    for chart in charts:
+        text = hover(driver, chart)
+        check(text != "", f"hovering the chart '{chart}' shows: {text}")
+
+    check(wait_for(driver, "return document.getElementById('picture-text').textContent !== ''"), "pictures are there")
+    before = driver.run(PICTURE)
+    value = drag_divide(driver, 0.1)
+    check(value < 30, f"the divide moved to {value:.0f} %")
+    check(driver.run(PICTURE) != before, "the picture follows the divide")
+    divided = driver.run(PICTURE)
+    driver.run("document.getElementById('picture-difference').click()")
+    check(driver.run(PICTURE) != divided, "the difference is another picture")
+    driver.run("document.getElementById('picture-difference').click()")
+
+    count = "return wrinkleReport.charts.trade.data.datasets.reduce((n, d) => n + d.data.length, 0)"
+    if "trade" in charts and driver.run(count) > 0:
+        driver.run("""
+            const select = document.getElementById('trade-datapath');
+            select.value = 'no such datapath';
+            select.dispatchEvent(new Event('input'));""")
+        check(driver.run(count) == 0, "the filter takes points away")
+        driver.run("""
+            const select = document.getElementById('trade-datapath');
+            select.value = 'all';
+            select.dispatchEvent(new Event('input'));""")
+        check(driver.run(count) > 0, "and gives them back")
+    if screenshot:
+        driver.run("window.scrollTo(0, 0)")
+        driver.screenshot(screenshot)
+    errors = [entry for entry in driver.call("POST", "/se/log", {"type": "browser"}) if entry["level"] == "SEVERE"]
+    check(not errors, f"no console error {errors}")
+
+
+def main():
+    if not shutil.which("chromium") or not shutil.which("chromedriver"):
+        print("skipped: chromium or chromedriver is not installed")
+        return SKIPPED
+    with tempfile.TemporaryDirectory() as folder:
+        driver = Driver(folder)
+        try:
+            look(driver, sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else None)
+        finally:
+            driver.close()
+    return 0
+
+
+sys.exit(main())
