@@ -102,7 +102,7 @@ void add_area(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"osu035", "osu018"}));
   command->add_option("--effort", options->effort, "What mapping aims at")
       ->capture_default_str()
-      ->check(CLI::IsMember({"area", "speed"}));
+      ->check(CLI::IsMember({"area", "speed", "unbuffered"}));
   command->add_option("--stage", options->stages, "Only this stage")
       ->check(CLI::IsMember(std::vector<std::string>{"packet", "scan", "interpolate", "perspective", "texture",
                                                      "perturb", "normalize", "light", "output"}));
