@@ -46,7 +46,7 @@ std::span<const ExtremeEntry> extremes() {
   static const std::vector<ExtremeEntry> all = [] {
     std::vector<ExtremeEntry> list;
     for (auto part : {geometry_extremes, interpolation_extremes, vector_extremes, lighting_extremes, texture_extremes,
-                      host_extremes})
+                      host_extremes, displacement_extremes})
       for (ExtremeEntry& entry : part()) list.push_back(std::move(entry));
     std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
     return list;

@@ -1,4 +1,4 @@
-// The catalogue of numerical extremes, 1 to 48: one list for `./wrinkle stress` and for tests/extremes.
+// The catalogue of numerical extremes, 1 to 48, 56 and 57: one list for `./wrinkle stress` and for tests/extremes.
 #pragma once
 
 #include <cstdint>
@@ -47,5 +47,6 @@ std::vector<ExtremeEntry> vector_extremes();
 std::vector<ExtremeEntry> lighting_extremes();
 std::vector<ExtremeEntry> texture_extremes();
 std::vector<ExtremeEntry> host_extremes();
+std::vector<ExtremeEntry> displacement_extremes();
 
 }  // namespace wrinkle
