@@ -63,20 +63,14 @@ module wrinkle_interpolate #(
   localparam Z_AT       = HAS_Q != 0 ? PLANE_LOD_AT + 3 * (LODW + G) : Q_AT;
   localparam LOD_AT     = Z_AT + (DEPTH != 0 ? 3 * (DEPTH_BITS + G) : 0);
   localparam BITS       = LOD_AT + (HAS_UV != 0 && HAS_Q == 0 ? LODW - 2 : 0);
-  localparam WORDS      = BITS == 0 ? 1 : (BITS + 63) / 64;
+  localparam WORDS      = (BITS + 63) / 64;
 
   wire [64*WORDS-1:0] packet;
+  wrinkle_shadow_words #(.WORDS(WORDS)) shadow (.clk(clk), .shift_i(shift_i), .word_i(word_i), .words_o(packet));
   wire unused_padding = &{1'b0, packet};
 
   genvar k;
   generate
-    if (BITS != 0) begin : with_planes
-      wrinkle_shadow_words #(.WORDS(WORDS)) shadow (.clk(clk), .shift_i(shift_i), .word_i(word_i), .words_o(packet));
-    end else begin : without_planes
-      wire unused_pins = &{1'b0, clk, shift_i, word_i, load_i, step_i, carry_i, span_i, first_i, pixel_i};
-      assign packet = {64*WORDS{1'b0}};
-    end
-
     for (k = 0; k < NORMALS; k = k + 1) begin : normal
       wire [W-1:0] value;
       wrinkle_dda #(.WIDTH(W), .GUARD(G)) dda (

@@ -2,7 +2,7 @@
 // N, L and H to unit length, each by its own unit; `zero` tells that one of them had no length. Constant light vectors
 // come from the draw state, and in the rotated frame N = (0, 0, 1): neither has a unit. With LIGHTING pixel_halfangle
 // H is made here, from the unit vectors L and E, and has a unit of its own behind theirs.
-// Latency 5, or 1 when no vector has a normalizer; pixel_halfangle adds 6, or 2 when H has none.
+// Latency 5, or 1 when no vector has a normalizer; pixel_halfangle adds 6.
 module wrinkle_normalize #(
   parameter DATAPATH     = 1,
   parameter LIGHT_VECTORS = 0,
@@ -54,7 +54,7 @@ module wrinkle_normalize #(
   localparam KIND_H    = LATE_H != 0 ? NORMALIZER_L : NORMALIZER_H;     // of what h_i brings
   localparam FIRST     = (HAS_N != 0 && NORMALIZER_N != 0) || (HAS_LIGHT != 0 && NORMALIZER_L != 0) ||
                          (HAS_H != 0 && KIND_H != 0) ? 5 : 1;
-  localparam SECOND    = LATE_H == 0 ? 0 : NORMALIZER_H != 0 ? 6 : 2;   // the sum, and its normalizer
+  localparam SECOND    = LATE_H != 0 ? 6 : 0;                           // the sum, and its normalizer
   localparam RANKS     = FIRST + SECOND;
 
   wire advance, zero_n, zero_l, zero_h;
@@ -107,7 +107,7 @@ module wrinkle_normalize #(
         assign zero_h = 1'b0;
       end
       if (LATE_H != 0) begin : late
-        wrinkle_halfangle #(.NORMALIZER(NORMALIZER_H), .UNIT_BITS(UNIT_BITS), .RANKS(SECOND)) halfangle (
+        wrinkle_halfangle #(.NORMALIZER(NORMALIZER_H), .UNIT_BITS(UNIT_BITS)) halfangle (
           .clk(clk), .advance_i(advance), .l_i(l), .e_i(h), .h_o(h_o));
       end else begin : at_once
         assign h_o = h;

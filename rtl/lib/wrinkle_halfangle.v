@@ -1,10 +1,9 @@
 `default_nettype none
-// The half-angle vector of a pixel: H = L + E in s2.F, to unit length. With a normalizer of V = F + 1, or NORMALIZER 0
-// their mean. Latency RANKS: one for the sum, then 5, or 1 without a normalizer.
+// The half-angle vector of a pixel: H = L + E in s2.F, to unit length by a normalizer of V = F + 1. Latency 6: one for the
+// sum, then the normalizer's.
 module wrinkle_halfangle #(
   parameter NORMALIZER = 1,
-  parameter UNIT_BITS  = 9,  // F
-  parameter RANKS      = 6
+  parameter UNIT_BITS  = 9   // F
 ) (
   input  wire                       clk,
   input  wire                       advance_i,
@@ -30,7 +29,7 @@ module wrinkle_halfangle #(
   always @(posedge clk) if (advance_i) sum_q <= sum;
 
   wrinkle_unit_vector #(
-    .NORMALIZER(NORMALIZER), .VECTOR_BITS(UNIT_BITS + 1), .UNIT_BITS(UNIT_BITS), .RANKS(RANKS - 1)
+    .NORMALIZER(NORMALIZER), .VECTOR_BITS(UNIT_BITS + 1), .UNIT_BITS(UNIT_BITS), .RANKS(5)
   ) unit_h (.clk(clk), .advance_i(advance_i), .vector_i(sum_q), .unit_o(h_o), .zero_o(unused_zero));
 endmodule
 `default_nettype wire

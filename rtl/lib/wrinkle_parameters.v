@@ -162,6 +162,15 @@ module wrinkle_parameters #(
     if (PERSPECTIVE != 0 && RECIPROCAL_BITS < Q_BITS - 1) begin : reciprocal
       wrinkle_error_reciprocal_bits_is_less_than_q_bits_minus_1 error ();
     end
+    if (DATAPATH == 3 && LIGHT_VECTORS != 0) begin : rotated
+      wrinkle_error_light_vectors_turn_with_the_rotated_frame error ();
+    end
+    if (DATAPATH == 2 && (NORMALIZER_N == 0 || NORMALIZER_N == 3)) begin : blinn
+      wrinkle_error_normalizer_n_must_take_any_length error ();
+    end
+    if (LIGHTING == 3 && (NORMALIZER_H == 0 || NORMALIZER_H == 3)) begin : pixel_halfangle
+      wrinkle_error_normalizer_h_must_take_any_length error ();
+    end
   endgenerate
 endmodule
 `default_nettype wire

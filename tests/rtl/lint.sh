@@ -109,13 +109,11 @@ all_three "blinn, cross products held, smallest" \
   DATAPATH=2 CROSS_PRODUCTS=1 LIGHTING=2 FILTER=0 CHANNELS=0 DEPTH=0 SELF_SHADOW=0 SCREEN_BITS=4 SUBPIXEL_BITS=2 \
   GUARD_BITS=2 VECTOR_BITS=5 WIDE_BITS=8 GRADIENT_BITS=12 UV_INTEGER_BITS=1 UV_BITS=8 TEXEL_BITS=4 UNIT_BITS=6 \
   DOT_BITS=6 POWER_BITS=6 COLOUR_BITS=4 SPECULAR_SQUARINGS=0 TEXTURE_FIFO_BITS=1
-all_three "blinn, cross products held, constant light, no normalizer" \
-  DATAPATH=2 CROSS_PRODUCTS=1 LIGHT_VECTORS=1 NORMALIZER_N=0 FILTER=1 GRADIENT_BITS=6
+all_three "blinn, cross products held, constant light" DATAPATH=2 CROSS_PRODUCTS=1 LIGHT_VECTORS=1 FILTER=1 GRADIENT_BITS=6
 all_three "rotated" DATAPATH=3
 all_three "rotated, reflection, decal" DATAPATH=3 LIGHTING=2 DECAL=1 SELF_SHADOW=2 UNIT_BITS=6 DOT_BITS=12
 all_three "rotated, half-angle at every pixel" DATAPATH=3 LIGHTING=3 SELF_SHADOW=0 PERSPECTIVE=1
-all_three "rotated, constant light, nothing to interpolate" DATAPATH=3 LIGHT_VECTORS=1 LIGHTING=0 DEPTH=0
-all_three "rotated, diffuse" DATAPATH=3 LIGHTING=0
+all_three "rotated, diffuse, no normalizer" DATAPATH=3 LIGHTING=0 NORMALIZER_L=0 DEPTH=0
 all_three "constant light" LIGHT_VECTORS=1
 all_three "constant light, diffuse" LIGHT_VECTORS=1 LIGHTING=0 DATAPATH=0
 all_three "constant light, reflection, perspective" LIGHT_VECTORS=1 LIGHTING=2 PERSPECTIVE=1 DECAL=1
@@ -124,7 +122,7 @@ all_three "reflection" LIGHTING=2
 all_three "reflection, widest dots, no normalizers" \
   LIGHTING=2 NORMALIZER_N=0 NORMALIZER_L=0 NORMALIZER_H=0 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
 all_three "half-angle at every pixel" LIGHTING=3
-all_three "half-angle at every pixel, without normalizers" LIGHTING=3 NORMALIZER_N=0 NORMALIZER_L=0 NORMALIZER_H=0
+all_three "half-angle at every pixel, one normalizer" LIGHTING=3 NORMALIZER_N=0 NORMALIZER_L=0
 
 for stage in $stages; do
   check "verilator wrinkle_$stage alone" verilator_lint "wrinkle_$stage"
@@ -153,6 +151,12 @@ refused "yosys refuses TEXEL_BITS=11" wrinkle_error_texel_bits yosys_check wrink
 refused "verilator refuses DATAPATH=4" wrinkle_error_datapath verilator_lint wrinkle_core DATAPATH=4
 refused "icarus refuses WIDE_BITS=23" wrinkle_error_wide_bits icarus_lint wrinkle_core WIDE_BITS=23
 refused "yosys refuses LIGHTING=4" wrinkle_error_lighting yosys_check wrinkle_core LIGHTING=4
+refused "verilator refuses constant light in the rotated frame" wrinkle_error_light_vectors_turn \
+  verilator_lint wrinkle_core DATAPATH=3 LIGHT_VECTORS=1
+refused "icarus refuses blinn without a normalizer" wrinkle_error_normalizer_n_must_take_any_length \
+  icarus_lint wrinkle_core DATAPATH=2 NORMALIZER_N=0
+refused "yosys refuses a half-angle at every pixel without a normalizer" \
+  wrinkle_error_normalizer_h_must_take_any_length yosys_check wrinkle_core LIGHTING=3 NORMALIZER_H=0
 refused "verilator refuses FILTER=3" wrinkle_error_filter verilator_lint wrinkle_core FILTER=3
 refused "icarus refuses DOT_BITS > 2 UNIT_BITS" wrinkle_error_dot_bits_exceeds icarus_lint wrinkle_core UNIT_BITS=6 \
   DOT_BITS=13 POWER_BITS=13
