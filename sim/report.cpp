@@ -77,9 +77,8 @@ void add_report(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("report", "One page of everything measured: area, error, pictures, speed");
   command->add_option("-o,--output", options->folder, "Folder for report.html, .json, .csv and .md")
       ->capture_default_str();
-  command->add_option("--configs", options->measure.configs, "Configurations to measure")
-      ->delimiter(',')
-      ->capture_default_str();
+  command->add_option("--configs", options->measure.configs, "Configurations to measure; else all named ones")
+      ->delimiter(',');
   command->add_option("--scenes", options->measure.scenes, "Scenes to draw")->delimiter(',')->capture_default_str();
   command->add_flag("--rtl", options->measure.rtl, "Also pictures by the RTL");
   command->add_flag("--no-area", options->measure.no_area, "Leave out what needs synthesis");

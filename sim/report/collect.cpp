@@ -11,6 +11,7 @@
 #include "golden/pixel/pixel.h"
 #include "sim/command.h"
 #include "sim/config_file.h"
+#include "sim/datapaths.h"
 #include "sim/engine.h"
 #include "sim/report/error.h"
 #include "sim/report/speed.h"
@@ -72,12 +73,20 @@ json picture_entries(const ReportOptions& options) {
   return entries;
 }
 
+// The scene of `verify --all` that a configuration is for; the paper's patch for those that have none.
+std::string scene_of(const std::string& config) {
+  for (const DatapathFrame& frame : datapath_frames()) {
+    if (frame.comparison.config == config && frame.comparison.set.empty()) return frame.comparison.scene;
+  }
+  return "patch_fig6";
+}
+
 json config_entry(const std::string& name, const ReportOptions& options) {
   const Config config = load_config(name);
   json entry{
       {"name", name}, {"datapath", value_name(config, "datapath")}, {"normalizer", value_name(config, "normalizer_n")}};
   say(fmt::format("{}: error", name));
-  entry["error"] = to_json(measure_error(name, config, build_frame(config, scene_named("patch_fig6"))));
+  entry["error"] = to_json(measure_error(name, config, build_frame(config, scene_named(scene_of(name)))));
   if (options.no_area) return entry;
   say(fmt::format("{}: area", name));
   AreaOptions area;
@@ -97,7 +106,7 @@ json speed_entry(const ReportOptions& options, const json& configs) {
     const Config config = load_config(name);
     const double period = entry["area"]["flat"]["critical_path_ns"];
     result["chips"].push_back(
-        to_json(chip_speed(name, config, build_frame(config, scene_named("patch_fig6")), period)));
+        to_json(chip_speed(name, config, build_frame(config, scene_named(scene_of(name))), period)));
   }
   return result;
 }
@@ -110,9 +119,10 @@ std::string source_version() {
 json provenance(const ReportOptions& options) {
   json result;
   result["source"] = source_version();
-  result["command"] = fmt::format("./wrinkle report --configs {} --scenes {}{}{}{}", fmt::join(options.configs, ","),
-                                  fmt::join(options.scenes, ","), options.rtl ? " --rtl" : "",
-                                  options.no_area ? " --no-area" : "", options.no_speed ? " --no-speed" : "");
+  result["command"] =
+      fmt::format("./wrinkle report{}{} --scenes {}{}{}{}", options.configs.empty() ? "" : " --configs ",
+                  fmt::join(options.configs, ","), fmt::join(options.scenes, ","), options.rtl ? " --rtl" : "",
+                  options.no_area ? " --no-area" : "", options.no_speed ? " --no-speed" : "");
   result["figures alone"] = "./wrinkle area --figures";
   result["one stage alone"] = "./wrinkle area standard --stage normalize";
   result["error of one configuration"] = "./wrinkle error standard patch_fig6";
@@ -143,7 +153,8 @@ json collect(const ReportOptions& options) {
     data["figures"] = to_json(named_figures(area));
   }
   data["configs"] = json::array();
-  for (const std::string& name : options.configs) data["configs"].push_back(config_entry(name, options));
+  for (const std::string& name : options.configs.empty() ? named_configs() : options.configs)
+    data["configs"].push_back(config_entry(name, options));
   say("pictures");
   data["pictures"] = picture_entries(options);
   if (!options.no_speed) data["speed"] = speed_entry(options, data["configs"]);

@@ -10,8 +10,8 @@
 namespace wrinkle {
 
 struct ReportOptions {
-  std::vector<std::string> configs{"lean", "standard", "perspective", "fine"};
-  std::vector<std::string> scenes{"patch_fig1", "patch_fig6", "patch_fig7", "teapot"};
+  std::vector<std::string> configs;  // empty: all named ones
+  std::vector<std::string> scenes{"patch_fig1", "patch_fig5", "patch_fig6", "patch_fig7", "teapot"};
   bool rtl = false, no_area = false, no_speed = false;
 };
 

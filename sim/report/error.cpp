@@ -54,31 +54,42 @@ double ulp_of(int fraction_bits) { return std::ldexp(1.0, -fraction_bits); }
 void add_values(const Config& c, Part part, const ReplayedPixel& pixel, PartSums& sums) {
   const ExactFragment &r = pixel.parts[std::size_t(part)].rounded, &e = pixel.parts[std::size_t(part)].exact;
   const double vector = ulp_of(c.vector_bits), unit = ulp_of(c.unit_bits), dot_ulp = ulp_of(c.dot_bits);
-  const bool textured = pixel.draw.texture != nullptr && c.has_bump();
+  const double wide = ulp_of(c.wide_bits), gradient = ulp_of(c.gradient_bits), code = ulp_of(c.texel_bits - 1);
+  const bool textured = pixel.draw.texture != nullptr;
+  const auto add_texture = [&](double normal_ulp, double gradient_ulp) {
+    if (textured && c.has_texture_normal()) sums.add_vector(r.texture_n, e.texture_n, normal_ulp);
+    if (!textured || !c.has_blinn()) return;
+    sums.add_number(r.gradient.x, e.gradient.x, gradient_ulp);
+    sums.add_number(r.gradient.y, e.gradient.y, gradient_ulp);
+  };
   switch (part) {
     case Part::kInterpolate:
-      sums.add_vector(r.interpolated_n, e.interpolated_n, vector);
-      sums.add_vector(r.interpolated_l, e.interpolated_l, vector);
-      if (c.has_halfangle()) sums.add_vector(r.interpolated_h, e.interpolated_h, vector);
+      if (c.has_normal_planes()) sums.add_vector(r.interpolated_n, e.interpolated_n, vector);
+      for (const auto plane :
+           {&ExactFragment::interpolated_a, &ExactFragment::interpolated_b, &ExactFragment::interpolated_c})
+        if (c.has_blinn()) sums.add_vector(r.*plane, e.*plane, wide);
+      if (c.has_light_planes()) sums.add_vector(r.interpolated_l, e.interpolated_l, vector);
+      if (c.has_light_planes() && c.has_specular()) sums.add_vector(r.interpolated_h, e.interpolated_h, vector);
       return;
     case Part::kTexel:
-      if (textured) sums.add_vector(r.texture_n, e.texture_n, ulp_of(c.texel_bits - 1));
-      return;
+      return add_texture(code, code);
     case Part::kFilter:
-      if (textured) sums.add_vector(r.texture_n, e.texture_n, vector);
+      return add_texture(vector, gradient);
+    case Part::kPerturb:
+      if (c.has_normal()) sums.add_vector(r.perturbed_n, e.perturbed_n, ulp_of(c.normal_vector_bits()));
       return;
     case Part::kNormalize:
       sums.add_vector(r.n, e.n, unit);
       sums.add_vector(r.l, e.l, unit);
-      if (c.has_halfangle()) sums.add_vector(r.h, e.h, unit);
+      if (c.has_specular()) sums.add_vector(r.h, e.h, unit);
       return;
     case Part::kDot:
       sums.add_number(r.nl, e.nl, dot_ulp);
-      if (c.has_halfangle()) sums.add_number(r.nh, e.nh, dot_ulp);
+      if (c.has_specular()) sums.add_number(r.nh, e.nh, dot_ulp);
       return;
     case Part::kPower:
       sums.add_number(r.diffuse, e.diffuse, dot_ulp);
-      if (c.has_halfangle()) sums.add_number(r.specular, e.specular, ulp_of(c.power_bits));
+      if (c.has_specular()) sums.add_number(r.specular, e.specular, ulp_of(c.power_bits));
       return;
     case Part::kOutput:
       sums.add_number(r.colour.x, e.colour.x, 1.0 / ((1 << c.colour_bits) - 1));

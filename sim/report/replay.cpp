@@ -16,46 +16,64 @@
 namespace wrinkle {
 namespace {
 
-// The fields of a part, each as numbers.
-using Fields = std::vector<double ExactFragment::*>;
-using VectorFields = std::vector<Vec3 ExactFragment::*>;
+// The values that a part puts out.
 struct PartFields {
-  VectorFields vectors;
-  Fields numbers;
+  std::vector<Vec3 ExactFragment::*> vectors;
+  std::vector<Vec2 ExactFragment::*> pairs;
+  std::vector<double ExactFragment::*> numbers;
 };
 
 const PartFields& fields_of(Part part) {
   using F = ExactFragment;
+  static const PartFields texture{{&F::texture_n, &F::decal}, {&F::gradient}, {}};
   static const std::array<PartFields, kParts> all{
-      PartFields{{&F::interpolated_n, &F::interpolated_l, &F::interpolated_h}, {&F::u, &F::v, &F::lod}},
-      PartFields{{&F::texture_n, &F::decal}, {}},
-      PartFields{{&F::texture_n, &F::decal}, {}},
-      PartFields{{&F::n, &F::l, &F::h}, {}},
-      PartFields{{}, {&F::nl, &F::nh}},
-      PartFields{{}, {&F::diffuse, &F::specular}},
-      PartFields{{&F::colour}, {}}};
+      PartFields{{&F::interpolated_n, &F::interpolated_l, &F::interpolated_h, &F::interpolated_a, &F::interpolated_b,
+                  &F::interpolated_c},
+                 {},
+                 {&F::u, &F::v, &F::lod}},
+      texture,
+      texture,
+      PartFields{{&F::perturbed_n}, {}, {}},
+      PartFields{{&F::n, &F::l, &F::h}, {}, {}},
+      PartFields{{}, {}, {&F::nl, &F::nh}},
+      PartFields{{}, {}, {&F::diffuse, &F::specular}},
+      PartFields{{&F::colour}, {}, {}}};
   return all[std::size_t(part)];
 }
 
 void add_rounding(const PartOutput& output, Part part, ExactFragment& fragment) {
-  for (const auto field : fields_of(part).vectors)
+  const PartFields& fields = fields_of(part);
+  const auto add = [&](const auto field) {
     fragment.*field = fragment.*field + (output.rounded.*field - output.exact.*field);
-  for (const auto field : fields_of(part).numbers) fragment.*field += output.rounded.*field - output.exact.*field;
+  };
+  std::for_each(fields.vectors.begin(), fields.vectors.end(), add);
+  std::for_each(fields.pairs.begin(), fields.pairs.end(), add);
+  std::for_each(fields.numbers.begin(), fields.numbers.end(), add);
 }
 
 void sample(const exact::DrawContext& draw, const ExactTexture* texture, ExactFragment& f) {
   if (texture == nullptr) return;
   const exact::Sample texel = exact::sample(draw.config, draw.words, *texture, {f.u, f.v}, f.lod);
-  f.texture_n = {texel[0], texel[1], texel[2]};
+  if (draw.config.has_blinn()) {
+    f.gradient = {texel[0], texel[1]};
+  } else {
+    f.texture_n = {texel[0], texel[1], texel[2]};
+  }
   if (draw.config.decal != 0) f.decal = {texel[3], texel[4], texel[5]};
+}
+
+void perturb(const exact::DrawContext& draw, ExactFragment& f) {
+  f.perturbed_n = draw.config.has_blinn()
+                      ? exact::displace(draw.words, f.interpolated_a, f.interpolated_b, f.interpolated_c, f.gradient)
+                      : exact::perturb(draw.words, f.interpolated_n, f.texture_n);
 }
 
 void normalize(const exact::DrawContext& draw, ExactFragment& f) {
   const Config& config = draw.config;
-  f.perturbed_n = exact::perturb(draw.words, f.interpolated_n, f.texture_n);
-  f.n = exact::normalize(config.normalizer_n, f.perturbed_n);
-  f.l = exact::normalize(config.normalizer_l, f.interpolated_l);
-  f.h = exact::normalize(config.normalizer_h, f.interpolated_h);
+  f.n = config.has_normal() ? exact::normalize(config.normalizer_n, f.perturbed_n) : Vec3{0, 0, 1};
+  f.l = config.has_light_planes() ? exact::normalize(config.normalizer_l, f.interpolated_l) : draw.l;
+  f.h = config.has_light_planes() ? exact::normalize(config.third_normalizer(), f.interpolated_h) : draw.h;
+  if (config.is(Lighting::kPixelHalfangle)) f.h = wrinkle::normalize(f.l + f.h);
 }
 
 void dots(const exact::DrawContext& draw, ExactFragment& f) {
@@ -66,7 +84,9 @@ void dots(const exact::DrawContext& draw, ExactFragment& f) {
 
 // The twin of `light` behind its dot products: vectors along one axis have them as their product.
 void power(const exact::DrawContext& draw, ExactFragment& f) {
-  const exact::Lit lit = exact::light(draw.config, draw.words, {1, 0, 0}, {f.nl, 0, 0}, {f.nh, 0, 0}, f.l.z);
+  Config config = draw.config;
+  if (config.has_specular()) config.lighting = int(Lighting::kHalfangle);
+  const exact::Lit lit = exact::light(config, draw.words, {1, 0, 0}, {f.nl, 0, 0}, {f.nh, 0, 0}, f.l.z);
   f.diffuse = lit.diffuse;
   f.specular = lit.specular;
 }
@@ -82,6 +102,8 @@ void run_twin(Part part, const exact::DrawContext& draw, ExactFragment& f) {
       return;
     case Part::kTexel:
       return sample(draw, draw.texture, f);
+    case Part::kPerturb:
+      return perturb(draw, f);
     case Part::kNormalize:
       return normalize(draw, f);
     case Part::kDot:
@@ -98,8 +120,9 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
   ExactTexture result{texture.log2_width, texture.log2_height, {}};
   const int bits = texture.component_bits;
   const double mask = std::ldexp(1.0, bits) - 1, half = std::ldexp(1.0, bits - 1);
-  const double zero = config.decode == int(Decode::kRange) ? mask / 2 : half;
-  const std::size_t normals = config.has_bump() ? 3 : 0;
+  const bool is_range = !config.has_blinn() && config.decode == int(Decode::kRange);
+  const double zero = is_range ? mask / 2 : half;
+  const std::size_t normals = config.has_blinn() ? 2 : config.has_texture_normal() ? 3 : 0;
   for (const auto& level : texture.levels) {
     auto& texels = result.levels.emplace_back();
     for (const std::uint64_t word : level) {
@@ -141,6 +164,9 @@ class ValueReader {
     f.interpolated_n = vector(from, "interpolate", "n");
     f.interpolated_l = vector(from, "interpolate", "l");
     f.interpolated_h = vector(from, "interpolate", "h");
+    f.interpolated_a = vector(from, "interpolate", "a");
+    f.interpolated_b = vector(from, "interpolate", "b");
+    f.interpolated_c = vector(from, "interpolate", "c");
     f.u = number(from, divided, "u");
     f.v = number(from, divided, "v");
     f.lod = number(from, "interpolate", "lod");
@@ -149,6 +175,8 @@ class ValueReader {
     // The decal's full scale is 2^T - 1.
     if (config_.decal != 0 && draw.texture != nullptr)
       f.decal = (1 / (1 - std::ldexp(1.0, -config_.texel_bits))) * vector(from, "texture", "decal");
+    f.gradient = {number(from, "texture", "gradient", 0), number(from, "texture", "gradient", 1)};
+    f.perturbed_n = vector(from, "perturb", "n");
     f.n = vector(from, "normalize", "n");
     f.l = vector(from, "normalize", "l");
     f.h = vector(from, "normalize", "h");
@@ -186,11 +214,9 @@ std::map<Key, FragmentValues> golden_values(const Config& config, const Frame& f
 }
 
 void check_supported(const Config& config) {
-  const bool plain = config.datapath == int(Datapath::kPhong) || config.datapath == int(Datapath::kTangent);
-  const bool lit = config.lighting == int(Lighting::kDiffuse) || config.lighting == int(Lighting::kHalfangle);
-  if (!plain || !lit)
-    throw InputError(Place{"error by stage"}, "another datapath or lighting",
-                     "datapath phong or tangent with lighting diffuse or halfangle");
+  if (config.normalize_order != 0)
+    throw InputError(Place{"normalize_order"}, "vectors normalized after the dot products",
+                     "vectors normalized before them, for the error of each stage");
 }
 
 }  // namespace
@@ -235,7 +261,7 @@ void for_each_replayed(const Config& config, const Frame& frame,
         keep(Part::kTexel, quantised);
         twin = quantised;
         keep(Part::kFilter, g);
-        for (const Part part : {Part::kNormalize, Part::kDot, Part::kPower, Part::kOutput}) {
+        for (const Part part : {Part::kPerturb, Part::kNormalize, Part::kDot, Part::kPower, Part::kOutput}) {
           run_twin(part, draw, twin);
           keep(part, g);
         }

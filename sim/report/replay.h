@@ -17,10 +17,10 @@ namespace wrinkle {
 
 // In pipeline order. kInterpolate is with the division of u and v; kDot is N.L and N.H; kPower is all behind them up
 // to diffuse and specular.
-enum class Part { kInterpolate, kTexel, kFilter, kNormalize, kDot, kPower, kOutput };
-inline constexpr std::size_t kParts = 7;
-inline constexpr std::array<std::string_view, kParts> kPartNames{"interpolators", "texel", "filter", "normalizer",
-                                                                 "dot",           "power", "output"};
+enum class Part { kInterpolate, kTexel, kFilter, kPerturb, kNormalize, kDot, kPower, kOutput };
+inline constexpr std::size_t kParts = 8;
+inline constexpr std::array<std::string_view, kParts> kPartNames{"interpolators", "texel", "filter", "perturb",
+                                                                 "normalizer",    "dot",   "power",  "output"};
 using Parts = std::array<bool, kParts>;
 
 // What a part puts out, twin and rounding apart.
@@ -40,8 +40,8 @@ struct ReplayedPixel {
 // The colour with the rounding of the chosen parts only.
 Vec3 replay(const ReplayedPixel& pixel, const Parts& chosen);
 
-// Calls `visit` for every fragment of the frame. Datapaths phong and tangent with their own half-angle or diffuse
-// lighting; throws InputError for others.
+// Calls `visit` for every fragment of the frame. Throws InputError for vectors normalized after the dot products, whose
+// normalizer puts out no vector.
 void for_each_replayed(const Config& config, const Frame& frame,
                        const std::function<void(const ReplayedPixel&)>& visit);
 
