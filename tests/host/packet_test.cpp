@@ -32,6 +32,10 @@ TriangleWords random_triangle(Random& random, const Config& config) {
   triangle.end0 = random_edge(random, config);
   triangle.end1 = random_edge(random, config);
   for (const ComponentFormat& format : component_formats(config)) {
+    if (format.is_constant) {
+      triangle.planes[static_cast<std::size_t>(format.component)].value = residue(random, format.width);
+      continue;
+    }
     const int bits = format.width + config.guard_bits;
     triangle.planes[static_cast<std::size_t>(format.component)] = {residue(random, bits), residue(random, bits),
                                                                    residue(random, bits)};

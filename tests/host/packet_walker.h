@@ -69,7 +69,7 @@ inline void randomize_attributes(Random& random, ScreenTriangle& triangle) {
     vertex.q = random.real(0.1, 3);
     vertex.uv = {random.real(-0.3, 0.5), random.real(-0.4, 0.45)};
     vertex.N = random.unit_vector(), vertex.L = random.unit_vector(), vertex.H = random.unit_vector();
-    for (Vec3* w : {&vertex.A, &vertex.B, &vertex.C}) *w = random.real(0.01, 1) * random.unit_vector();
+    vertex.A = 0.7 * vertex.N, vertex.B = 0.3 * vertex.L, vertex.C = 0.5 * vertex.H;
   }
 }
 
