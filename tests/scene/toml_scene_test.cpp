@@ -117,6 +117,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"KZero", kObject + "height = \"pinwheel\"\nmethod = \"eq8-11\"\nk = 0.0\n", {":5:5", "between"}},
         BadScene{"RepeatWithSurface", kObject + "height = \"pinwheel\"\nrepeat = [2, 2]\n", {":4:10", "[1, 1]"}},
         BadScene{"TangentWithoutNormals", kObject + "space = \"tangent\"\n", {":3:9", "normal_map or height"}},
+        BadScene{"ObjectWithoutNormals", kObject + "space = \"object\"\n", {":3:9", "eq3-6"}},
+        BadScene{"ObjectWithSquareMap",
+                 kObject + "height = \"pinwheel\"\nmethod = \"eq8-11\"\nspace = \"object\"\n",
+                 {":5:9", "eq3-6"}},
+        BadScene{"ObjectScaledUnevenly",
+                 kObject + "height = \"pinwheel\"\nspace = \"object\"\nscale = [1, 2, 1]\n",
+                 {":4:9", "one scale for all directions"}},
         BadScene{"FileMissing", "[[objects]]\nmesh = \"no.gltf\"\n", {":2:8", "no.gltf", "exists"}}),
     CaseName());
 

@@ -51,6 +51,21 @@ TEST(Config, RulesBetweenParameters) {
   EXPECT_EQ(check(divided).key, "");
 }
 
+// What the rival datapaths ask for; 0 is none, 3 near.
+TEST(Config, RulesOfTheRivals) {
+  for (int normalizer : {0, 3}) {
+    EXPECT_EQ(check(with({{&Config::datapath, 2}, {&Config::normalizer_n, normalizer}})).key, "normalizer_n");
+    EXPECT_EQ(check(with({{&Config::lighting, 3}, {&Config::normalizer_h, normalizer}})).key, "normalizer_h");
+    EXPECT_EQ(check(with({{&Config::normalizer_n, normalizer}, {&Config::normalizer_h, normalizer}})).key, "");
+  }
+  EXPECT_EQ(check(with({{&Config::datapath, 3}, {&Config::light_vectors, 1}})).key, "light_vectors");
+  EXPECT_EQ(check(with({{&Config::datapath, 2}, {&Config::light_vectors, 1}})).key, "");
+  const Config blinn = with({{&Config::datapath, 2}});
+  EXPECT_EQ(blinn.texel_components(), 2);
+  EXPECT_EQ(blinn.normal_vector_width(), blinn.wide_bits + 3);
+  EXPECT_EQ(with({{&Config::light_vectors, 1}}).draw_words(), 6);
+}
+
 // Every legal configuration fits 64 bits, with room.
 TEST(Config, WidestOperandFitsALane) {
   Random random(base_seed());
