@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "golden/config.h"
 
@@ -30,6 +31,52 @@ inline Config small_config() {
   return c;
 }
 
+// The small configuration by another datapath, illumination or source of light vectors, a name each.
+struct Rival {
+  const char* name;
+  Config config;
+};
+
+inline std::vector<Rival> rivals() {
+  const auto with = [](auto change) {
+    Config c = small_config();
+    change(c);
+    return c;
+  };
+  const auto blinn = [](Config& c) {
+    c.datapath = static_cast<int>(Datapath::kBlinn);
+    c.wide_bits = 10;
+    c.gradient_bits = 7;
+  };
+  const auto lit = [](Config& c, Lighting lighting) { c.lighting = static_cast<int>(lighting); };
+  return {
+      {"blinn", with(blinn)},
+      {"blinn_held", with([&](Config& c) {
+         blinn(c);
+         c.cross_products = static_cast<int>(CrossProducts::kConstant);
+         c.perspective = 0;
+       })},
+      {"blinn_constant_light_reflection", with([&](Config& c) {
+         blinn(c);
+         lit(c, Lighting::kReflection);
+         c.light_vectors = static_cast<int>(LightVectorSource::kConstant);
+       })},
+      {"rotated", with([](Config& c) { c.datapath = static_cast<int>(Datapath::kRotated); })},
+      {"rotated_reflection", with([&](Config& c) {
+         c.datapath = static_cast<int>(Datapath::kRotated);
+         lit(c, Lighting::kReflection);
+         c.decal = 0;
+       })},
+      {"constant_light", with([](Config& c) { c.light_vectors = static_cast<int>(LightVectorSource::kConstant); })},
+      {"reflection", with([&](Config& c) { lit(c, Lighting::kReflection); })},
+      {"pixel_halfangle", with([&](Config& c) { lit(c, Lighting::kPixelHalfangle); })},
+      {"constant_light_pixel_halfangle", with([&](Config& c) {
+         lit(c, Lighting::kPixelHalfangle);
+         c.light_vectors = static_cast<int>(LightVectorSource::kConstant);
+       })},
+  };
+}
+
 inline constexpr int kSpread = 6;
 
 // Six legal configurations. Every width takes six values from its minimum to its maximum, another in each; every choice
@@ -52,6 +99,10 @@ inline Config spread_config(int index) {
     config.*parameter.member = parameter.minimum + (range * rank + 2) / (kSpread - 1);
   }
   config.q_bits = std::min(config.q_bits, config.reciprocal_bits + 1);
+  // What the choices do not allow each other.
+  if (config.is(Datapath::kRotated)) config.light_vectors = 0;
+  if (config.has_blinn()) config.normalizer_n = static_cast<int>(Normalizer::kFaithful);
+  if (config.is(Lighting::kPixelHalfangle)) config.normalizer_h = static_cast<int>(Normalizer::kLite);
   return config;
 }
 

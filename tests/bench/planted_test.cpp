@@ -25,6 +25,13 @@ struct Planted {
   std::vector<std::pair<std::string, std::string>> edits;  // text, and what is put in its place
   std::string stage, value;                                // as it must be named
   Difference::Kind kind = Difference::Kind::kValue;
+  std::string rival = {};  // which of rivals(); empty: small_config()
+
+  Config config() const {
+    for (const Rival& r : rivals())
+      if (rival == r.name) return r.config;
+    return small_config();
+  }
 };
 
 const std::vector<Planted>& cases() {
@@ -39,7 +46,7 @@ const std::vector<Planted>& cases() {
       {"scan_last", "wrinkle_scan.v", {{"last_o      = ", "last_o = (y_q == 5) ^ "}}, "scan", "last"},
       {"interpolate",
        "wrinkle_interpolate.v",
-       {{"l_o[(k-3)*W +: W] = value;", "l_o[(k-3)*W +: W] = value ^ (k == 4 ? 8 : 0);"}},
+       {{"l_o[k*W +: W] = value;", "l_o[k*W +: W] = value ^ (k == 1 ? 8 : 0);"}},
        "interpolate",
        "l"},
       {"perspective",
@@ -73,7 +80,7 @@ const std::vector<Planted>& cases() {
        {{"zero_n | zero_l | zero_h", "zero_n | zero_l | zero_h | (l_o[2:0] == 7)"}},
        "normalize",
        "zero"},
-      {"light", "wrinkle_light.v", {{".data_i(nl2)", ".data_i(nl2 ^ (1 << (DOT_BITS - 3)))"}}, "light", "nl"},
+      {"light", "wrinkle_light.v", {{".data_i(nl_early)", ".data_i(nl_early ^ (1 << (DOT_BITS - 3)))"}}, "light", "nl"},
       {"light_power",
        "wrinkle_light.v",
        {{".a_i(power)", ".a_i(power ^ (1 << (POWER_BITS - 1)))"}},
@@ -93,7 +100,7 @@ const std::vector<Planted>& cases() {
        Kind::kValue},
       {"doubled",
        "wrinkle_perturb.v",
-       {{"in_ready_o  = out_ready_i;", "in_ready_o  = out_ready_i & smooth_n_i[4:0] != 5'd21;"}},
+       {{"in_ready_o  = out_ready_i;", "in_ready_o  = out_ready_i & smooth_i[4:0] != 5'd21;"}},
        "perturb",
        ""},
       {"hung",
@@ -108,6 +115,62 @@ const std::vector<Planted>& cases() {
        {{"assign x_o    = tag_out[X-1:0];", "assign x_o = tag_out[X-1:0] ^ {{(X-1){1'b0}}, in_valid_i};"}},
        "output",
        "x"},
+      {"interpolate_product",
+       "wrinkle_interpolate.v",
+       {{"a_o} = products;", "a_o} = products ^ ({{(9*WW-1){1'b0}}, 1'b1} << (6*WW+4));"}},
+       "interpolate",
+       "c",
+       Kind::kValue,
+       "blinn"},
+      {"interpolate_held",
+       "wrinkle_interpolate.v",
+       {{"if (span_i & first_i) held_q", "if (span_i) held_q"}, {"if (load_i) row_held_q", "if (step_i) row_held_q"}},
+       "interpolate",
+       "b",
+       Kind::kValue,
+       "blinn_held"},
+      {"texture_gradient",
+       "lib/wrinkle_texture_filter.v",
+       {{"textured_i ? saturated", "textured_i ? saturated ^ 4"}},
+       "texture",
+       "gradient",
+       Kind::kValue,
+       "blinn"},
+      {"perturb_product",
+       "lib/wrinkle_perturbed.v",
+       {{".b_i(c_i)", ".b_i(b_i)"}},
+       "perturb",
+       "n",
+       Kind::kValue,
+       "blinn"},
+      {"packet_light",
+       "wrinkle_packet.v",
+       {{"l_q <= word[UNIT-1:0]", "l_q <= word[UNIT:1]"}},
+       "normalize",
+       "l",
+       Kind::kValue,
+       "constant_light"},
+      {"normalize_halfangle",
+       "lib/wrinkle_halfangle.v",
+       {{"{l[N-1], l} + ", "{l[N-1], l} - "}},
+       "normalize",
+       "h",
+       Kind::kValue,
+       "pixel_halfangle"},
+      {"light_reflection",
+       "lib/wrinkle_reflection.v",
+       {{"lit3_q ? re", "lit_q ? re"}},
+       "light",
+       "nh",
+       Kind::kValue,
+       "reflection"},
+      {"light_rotated",
+       "wrinkle_light.v",
+       {{".value_i(l_i[2*N +: N])", ".value_i(l_i[N +: N])"}},
+       "light",
+       "nl",
+       Kind::kValue,
+       "rotated"},
   };
   return list;
 }
@@ -147,7 +210,8 @@ TEST_P(PlantedSlow, IsFoundAndItsStageNamed) {
   RandomFrame wish;
   wish.seed = 3;
   wish.fragments = 4000;
-  const BenchResult result = run_bench(small_config(), random_frame(small_config(), wish), options);
+  const Config config = planted.config();
+  const BenchResult result = run_bench(config, random_frame(config, wish), options);
   fs::remove_all(root);
 
   ASSERT_FALSE(result.equal()) << "the planted error was not found";

@@ -1,0 +1,95 @@
+// The datapaths and illuminations beside the paper's own: RTL and golden agree on every fragment and on every value
+// that a stage hands on.
+#include <gtest/gtest.h>
+
+#include "tb/bench.h"
+#include "tb/random_frame.h"
+#include "tests/bench/configurations.h"
+
+namespace wrinkle {
+namespace {
+
+class Rivals : public testing::TestWithParam<Rival> {};
+
+TEST_P(Rivals, FragmentsAreBitExactUnderStalls) {
+  const Config& config = GetParam().config;
+  ASSERT_EQ(check(config).message, "");
+  const StallProfile profiles[] = {StallProfile::kNone, StallProfile::kRandom, StallProfile::kBursty};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    RandomFrame wish;
+    wish.seed = seed;
+    wish.fragments = 20000;
+    BenchOptions options;
+    options.seed = seed;
+    options.stalls = profiles[seed % 3];
+    options.latency = 1 << seed;
+    const BenchResult result = run_bench(config, random_frame(config, wish), options);
+    ASSERT_TRUE(result.equal()) << "seed " << seed << ": " << (result.first ? describe(*result.first) : "");
+    ASSERT_GT(result.fragments, 5000U);
+  }
+}
+
+TEST_P(Rivals, TapsOfEveryStageAreTheGoldenValues) {
+  const Config& config = GetParam().config;
+  RandomFrame wish;
+  wish.seed = 60;
+  wish.fragments = 3000;
+  const Frame frame = random_frame(config, wish);
+  const PacketStream stream = build_packets(config, frame);
+  std::vector<FragmentValues> golden;
+  const auto keep = [&](const auto& batch) {
+    for (int i = 0; i < batch.count; ++i) extract(batch, i, golden.emplace_back());
+  };
+  Golden(config, frame.textures).draw(stream.words, {keep, keep});
+  ASSERT_GT(golden.size(), 1000U);
+
+  const std::vector<Value> names = values(config);
+  std::size_t next = 0, differences = 0;
+  BenchSinks sinks;
+  sinks.values = [&](const Fragment&, const FragmentValues& rtl) {
+    ASSERT_LT(next, golden.size());
+    for (std::size_t v = 0; v < names.size(); ++v) {
+      for (std::size_t e = 0; names[v].present && e < static_cast<std::size_t>(names[v].elements); ++e) {
+        if (rtl[v][e] == golden[next][v][e] || differences++ > 3) continue;
+        ADD_FAILURE() << "fragment " << next << ", " << names[v].stage << '.' << names[v].name << '[' << e
+                      << "]: golden " << golden[next][v][e] << ", rtl " << rtl[v][e];
+      }
+    }
+    ++next;
+  };
+  BenchOptions options;
+  options.stalls = StallProfile::kRandom;
+  EXPECT_TRUE(run_bench(config, stream, frame.textures, frame.name, options, sinks).equal());
+  EXPECT_EQ(next, golden.size());
+  EXPECT_EQ(differences, 0U);
+}
+
+// One fragment a clock where no triangle starts: the same clocks as the paper's own datapath but for the longer pipe.
+TEST_P(Rivals, IsAsFastAsFig3) {
+  const auto clocks = [](const Config& config) {
+    RandomFrame wish;
+    wish.seed = 5;
+    wish.fragments = 20000;
+    wish.draws = 1;
+    Frame frame = random_frame(config, wish);
+    // A screen of one colour: a triangle that covers it all.
+    ScreenTriangle& triangle = frame.draws[0].triangles[0];
+    const int last = config.screen_size() << config.subpixel_bits;
+    triangle.v[0].x = triangle.v[0].y = triangle.v[1].y = triangle.v[2].x = 0;
+    triangle.v[1].x = triangle.v[2].y = 2 * last - 1;
+    frame.draws[0].triangles.resize(1);
+    const BenchResult result = run_bench(config, frame);
+    EXPECT_TRUE(result.equal());
+    return std::pair(result.fragments, result.cycles);
+  };
+  const auto [fragments, cycles] = clocks(GetParam().config);
+  EXPECT_GT(fragments, 4000U);
+  EXPECT_LT(cycles, fragments + 150);
+}
+
+std::string rival_name(const testing::TestParamInfo<Rival>& test) { return test.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Bench, Rivals, testing::ValuesIn(rivals()), rival_name);
+
+}  // namespace
+}  // namespace wrinkle
