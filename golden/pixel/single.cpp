@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "golden/pixel/normalizer_geometry.h"
 #include "golden/pixel/stages.h"
 
 namespace wrinkle {

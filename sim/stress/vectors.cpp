@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-#include "golden/pixel/rsqrt.h"
+#include "golden/pixel/normalizer_geometry.h"
 #include "sim/stress/catalogue.h"
 
 namespace wrinkle {
@@ -141,7 +141,7 @@ Extreme segment_boundaries() {
     const std::int64_t s = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     const bool high = (s >> product_bits) != 0;
     const std::int64_t t = (s << (high ? 0 : 2)) >> (product_bits + 2 - geometry.input_bits);
-    const std::int64_t x = (t >> (geometry.input_bits - 1)) != 0 ? t : 2 * t;
+    const std::int64_t x = (t >> (geometry.input_bits - 1)) != 0 ? t >> 1 : t;
     const std::int64_t n = std::int64_t{1} << geometry.offset_bits(), dx = x % n;
     if (dx > 2 && dx < n - 2) continue;
     if (++have[t] <= 3) vectors.push_back(v);

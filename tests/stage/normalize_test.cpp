@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "golden/pixel/normalizer_geometry.h"
 #include "golden/pixel/single.h"
 #include "tests/stage/support.h"
 
