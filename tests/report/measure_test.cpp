@@ -1,0 +1,127 @@
+// What area, error and report measure with, on cases whose answer is known.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "sim/command.h"
+#include "sim/config_file.h"
+#include "sim/report/baseline.h"
+#include "sim/report/error.h"
+#include "sim/report/modules.h"
+#include "sim/report/similarity.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+
+Picture constant(float value) {
+  Picture picture(24, 20, {"R", "G", "B"});
+  std::fill(picture.data.begin(), picture.data.end(), value);
+  return picture;
+}
+
+const std::vector<std::uint8_t> kEverywhere(24 * 20, 1);
+
+TEST(Similarity, ConstantPicturesByHand) {
+  EXPECT_DOUBLE_EQ(structural_similarity(constant(.5F), constant(.5F), kEverywhere), 1);
+  const double a = .25, b = .75, c1 = 1e-4;
+  EXPECT_NEAR(structural_similarity(constant(.25F), constant(.75F), kEverywhere),
+              (2 * a * b + c1) / (a * a + b * b + c1), 1e-9);
+}
+
+TEST(Similarity, StructureCounts) {
+  Picture checks = constant(.5F), inverse = checks;
+  for (std::size_t i = 0; i < checks.data.size(); ++i) {
+    const bool odd = ((i / 3) % 24 + i / 72) % 2 == 1;
+    checks.data[i] = odd ? .4F : .6F;
+    inverse.data[i] = odd ? .6F : .4F;
+  }
+  EXPECT_LT(structural_similarity(checks, inverse, kEverywhere), -.5);
+}
+
+TEST(Similarity, PercentileIsOfTheMaskedChannels) {
+  Picture a = constant(0), b = constant(0);
+  std::vector<std::uint8_t> mask(24 * 20, 0);
+  for (std::size_t i = 0; i < 100; ++i) {
+    mask[i] = 1;
+    for (std::size_t c = 0; c < 3; ++c) a.data[3 * i + c] = float(i) / 128;
+  }
+  a.data[3 * 200] = 1;  // outside of the mask
+  EXPECT_DOUBLE_EQ(error_percentile(a, b, mask, 1), 99. / 128);
+  EXPECT_DOUBLE_EQ(error_percentile(a, b, mask, 0), 0);
+  EXPECT_DOUBLE_EQ(error_percentile(a, b, mask, .5), 49. / 128);
+}
+
+TEST(Baseline, OnlyWorseFiguresFail) {
+  const fs::path file = fs::path(testing::TempDir()) / "wrinkle_baseline.json";
+  write_baseline(file, {{"fig1.nand2", 1000}, {"patch_db", 50}});
+  EXPECT_TRUE(check_baseline(file, {{"fig1.nand2", 1004}, {"patch_db", 49.96}}));
+  EXPECT_TRUE(check_baseline(file, {{"fig1.nand2", 10}, {"patch_db", 80}}));
+  EXPECT_FALSE(check_baseline(file, {{"fig1.nand2", 1006}, {"patch_db", 50}}));
+  EXPECT_FALSE(check_baseline(file, {{"fig1.nand2", 1000}, {"patch_db", 49.9}}));
+  EXPECT_FALSE(check_baseline(file, {{"fig1.nand2", 1000}}));
+  EXPECT_FALSE(check_baseline(file, {{"fig1.nand2", 1000}, {"patch_db", 50}, {"new", 1}}));
+  fs::remove(file);
+}
+
+TEST(Modules, OnlyWhatAModuleNeeds) {
+  std::vector<std::string> names;
+  for (const fs::path& source : module_sources("wrinkle_light")) names.push_back(source.stem());
+  EXPECT_THAT(names, testing::IsSupersetOf({"wrinkle_light", "wrinkle_power", "wrinkle_clamped_dot", "wrinkle_delay"}));
+  EXPECT_THAT(names, testing::Not(testing::Contains("wrinkle_texture_filter")));
+  Config config = load_config("standard");
+  config.screen_bits = 7;
+  const VerilogParameters expected{{"SCREEN_BITS", 7}, {"SUBPIXEL_BITS", config.subpixel_bits}};
+  EXPECT_EQ(module_parameters("wrinkle_scan", config), expected);
+}
+
+class Replay : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(Replay, AllRoundingsGiveGoldenAndNoneGivesExact) {
+  const auto& [config_name, scene] = GetParam();
+  const Config config = load_config(config_name);
+  const Frame frame = build_frame(config, scene_named(scene));
+  Parts every, none{};
+  every.fill(true);
+  double golden = 0, exact = 0;
+  std::uint64_t fragments = 0;
+  for_each_replayed(config, frame, [&](const ReplayedPixel& pixel) {
+    ++fragments;
+    golden = std::max(golden, length(replay(pixel, every) - pixel.golden.colour));
+    exact = std::max(exact, length(replay(pixel, none) - pixel.exact.colour));
+  });
+  EXPECT_GT(fragments, 10000u);
+  EXPECT_LT(golden, 1e-9);
+  EXPECT_LT(exact, 1e-9);
+}
+
+TEST_P(Replay, StagesKeepTheirBounds) {
+  const auto& [config_name, scene] = GetParam();
+  const Config config = load_config(config_name);
+  const ErrorReport report = measure_error(config_name, config, build_frame(config, scene_named(scene)));
+  for (const PartError& part : report.parts) {
+    EXPECT_LE(part.ulp.rms, part.ulp.max) << part.name;
+    if (part.name == "dot" && !config.is(Lighting::kReflection)) {
+      EXPECT_LE(part.ulp.max, .5 + 1e-9);
+    }
+    if (part.name == "normalizer" && !config.is(Lighting::kPixelHalfangle)) {
+      EXPECT_LT(part.ulp.max, 1);
+    }
+    if (part.name == "interpolators") {
+      EXPECT_LT(part.ulp.max, 2);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Datapaths, Replay,
+                         testing::Values(std::pair{"standard", "patch_fig6"}, std::pair{"lean", "patch_fig6"},
+                                         std::pair{"blinn", "patch_fig5"}, std::pair{"rotated", "patch_rotated"},
+                                         std::pair{"reflection", "patch_reflection"},
+                                         std::pair{"pixel_halfangle", "patch_pixel_halfangle"},
+                                         std::pair{"object_constant", "patch_object"}));
+
+}  // namespace
+}  // namespace wrinkle
