@@ -16,8 +16,10 @@ namespace HWY_NAMESPACE {
 
 template <class L, class Columns>
 HWY_INLINE typename L::V clamped_dot(const L& l, const Config& c, const Columns& a, const Columns& b, std::size_t i) {
-  const auto product = [&](std::size_t k) HWY_ATTR { return l.mul(l.load(&a[k][i]), l.load(&b[k][i])); };
-  const auto dot = l.max(l.add(l.add(product(0), product(1)), product(2)), l.set(0));
+  const auto element = [&](const Columns& v, std::size_t k) HWY_ATTR { return l.load(&v[k][i]); };
+  const auto signed_dot =
+      l.dot(element(a, 0), element(a, 1), element(a, 2), element(b, 0), element(b, 1), element(b, 2));
+  const auto dot = l.max(signed_dot, l.set(0));
   return l.min(round_half_up(l, dot, 2 * c.unit_bits - c.dot_bits), l.set(1 << c.dot_bits));
 }
 
