@@ -1,6 +1,5 @@
-// A private copy of a texture, laid out for one pair of wrap modes so that the
-// four texels of a bilinear sample lie side by side: every texel is followed by
-// the one below, every row by what lies right of its last texel.
+// A private copy of a texture, laid out for one pair of wrap modes so that the four texels of a bilinear sample lie
+// side by side: every texel is followed by the one below, every row by what lies right of its last texel.
 #pragma once
 
 #include <array>
@@ -14,9 +13,8 @@ namespace wrinkle {
 inline constexpr std::size_t kLevels = 16;
 
 struct BoundTexture {
-  // Texels (x, y) and (x, y + 1) of a level are [2 i] and [2 i + 1], i = offset
-  // + y * stride + x: components 0-2, and 3-5 where there are any. repeat: x in
-  // [0, W]; mirror: [0, 2 W]; clamp: [0, W + 1], shifted by one, so that 0 is
+  // Texels (x, y) and (x, y + 1) of a level are [2 i] and [2 i + 1], i = offset + y * stride + x: components 0-2, and
+  // 3-5 where there are any. repeat: x in [0, W]; mirror: [0, 2 W]; clamp: [0, W + 1], shifted by one, so that 0 is
   // left of the texture; y likewise, less the last.
   std::vector<std::uint32_t> low, high;
   std::array<std::int32_t, kLevels> offset{}, stride{};

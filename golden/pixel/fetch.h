@@ -1,6 +1,5 @@
-// The fetch of the texture stage: one scalar loop for every instance. One load
-// of 128 bits brings all four texels; gather instructions are slower on the
-// machines of today.
+// The fetch of the texture stage: one scalar loop for every instance. One load of 128 bits brings all four texels;
+// gather instructions are slower on the machines of today.
 #pragma once
 
 #include <array>
@@ -17,8 +16,7 @@ struct TexelAddresses {
   alignas(64) Column position, weight_u, weight_v;
 };
 
-// The four texels of each sample: upper left, lower left, upper right, lower
-// right.
+// The four texels of each sample: upper left, lower left, upper right, lower right.
 struct TexelQuads {
   alignas(64) std::array<std::uint32_t, 4 * (kBatch + kBatchPadding)> texels;
 };

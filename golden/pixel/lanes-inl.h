@@ -1,23 +1,17 @@
-// Lanes: the integers that the stages compute with. The stages are templates
-// over one of these classes and name every operation through it, so that one
-// source is the scalar model, the checked one and, target by target, the SIMD
-// one.
+// Lanes: the integers that the stages compute with. The stages are templates over one of these classes and name every
+// operation through it, so that one source is the scalar model, the checked one and, target by target, the SIMD one.
 //
-//   add sub mul shl sar ...     exact: the result must fit the lane, which
-//   CheckedLanes verifies mul_half                    the same, for operands of
-//   half a lane: a signed, b at least 0 and below 2^(lane/2 - 1) dot of two
-//   triples whose elements are halves of a lane, signed weigh_fields<k> p (2^n
-//   - w) + q w, w at most 2^n and given as weights(w, n); p and q are fields k
-//   = 0 to 2
-//                               of `width` bits, 15 at most, of words that hold
-//                               three
-//   weigh16                     the same, p and q the operands themselves, of
-//   16 bits, unsigned weigh_twice16               f (2^m - w) + g w, for f and
-//   g as of weigh16, n + m at most 14 add_modular mul_modular     modulo
-//   2^lane, for accumulators kept left-aligned
+//   add sub mul shl sar ...     exact: the result must fit the lane, which CheckedLanes verifies
+//   mul_half                    the same, for operands of half a lane: a signed, b at least 0 and below 2^(lane/2 - 1)
+//   dot                         of two triples whose elements are halves of a lane, signed
+//   weigh_fields<k>             p (2^n - w) + q w, w at most 2^n and given as weights(w, n); p and q are fields k = 0
+//   to 2
+//                               of `width` bits, 15 at most, of words that hold three
+//   weigh16                     the same, p and q the operands themselves, of 16 bits, unsigned
+//   weigh_twice16               f (2^m - w) + g w, for f and g as of weigh16, n + m at most 14
+//   add_modular mul_modular     modulo 2^lane, for accumulators kept left-aligned
 //
-// `n` of a shift is the same for all lanes; shl_each and sar_each take one
-// count a lane.
+// `n` of a shift is the same for all lanes; shl_each and sar_each take one count a lane.
 #if defined(GOLDEN_PIXEL_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GOLDEN_PIXEL_LANES_INL_H_
 #undef GOLDEN_PIXEL_LANES_INL_H_
@@ -40,8 +34,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// One fragment at a time in plain 64-bit integers. With kIsChecked, every exact
-// result must fit `bits`.
+// One fragment at a time in plain 64-bit integers. With kIsChecked, every exact result must fit `bits`.
 template <bool kIsChecked>
 struct ScalarLanes {
   using Int = std::int64_t;
@@ -149,8 +142,7 @@ struct SimdLanes {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
   static constexpr int kBits = 8 * sizeof(T);
-  // Where each lane can have its own count, a hoisted vector of counts is
-  // cheaper than a count in another register.
+  // Where each lane can have its own count, a hoisted vector of counts is cheaper than a count in another register.
   static constexpr bool kShiftsEach =
       HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL || (HWY_TARGET == HWY_AVX2 && sizeof(T) == 4);
 
@@ -167,9 +159,8 @@ struct SimdLanes {
   HWY_INLINE V sub(V a, V b) const { return hn::Sub(a, b); }
   HWY_INLINE V mul(V a, V b) const { return hn::Mul(a, b); }
   HWY_INLINE V mul_half(V a, V b) const {
-    // One multiplication of 16-bit pairs, or of 32-bit even lanes, where a full
-    // one takes two or three. The high half of b is 0, so that of a adds
-    // nothing.
+    // One multiplication of 16-bit pairs, or of 32-bit even lanes, where a full one takes two or three. The high half
+    // of b is 0, so that of a adds nothing.
     if constexpr (kHasPairs) return sum_of_pairs(a, b);
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (kBits == 64) {
@@ -179,9 +170,8 @@ struct SimdLanes {
 #endif
     return hn::Mul(a, b);
   }
-  // Products of 16-bit pairs sum two by two: the pair (p, q) with the pair (2^n
-  // - w, w). 16 bits become signed by taking 2^15 off both, which takes
-  // 2^(15+n) off the result.
+  // Products of 16-bit pairs sum two by two: the pair (p, q) with the pair (2^n - w, w). 16 bits become signed by
+  // taking 2^15 off both, which takes 2^(15+n) off the result.
   HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) const {
     if constexpr (kHasPairs) {
       const V low = set(0xffff);
@@ -195,8 +185,7 @@ struct SimdLanes {
   HWY_INLINE V weigh_fields(V p, V q, int width, V w, int n) const {
     const T mask = (T{1} << width) - 1;
     if constexpr (kHasPairs) {
-      // Nothing lies above field 2; fields 0 and 1 of q get to the high half in
-      // one shift.
+      // Nothing lies above field 2; fields 0 and 1 of q get to the high half in one shift.
       if constexpr (k == 2) return sum_of_pairs(pair(sar(p, 2 * width), sar(q, 2 * width)), w);
       const V left = hn::And(k == 0 ? p : sar(p, width), set(mask));
       const V right = k == 0 ? hn::ShiftLeft<16>(q) : shl(q, 16 - width);
@@ -267,8 +256,7 @@ struct SimdLanes {
     }
   }
   HWY_INLINE V lookup(const Int* table, V index) const { return hn::GatherIndex(D(), table, index); }
-  // Tables of 16 and 32 entries, held in registers where those have as many
-  // lanes.
+  // Tables of 16 and 32 entries, held in registers where those have as many lanes.
   HWY_INLINE V lookup16(const Int* table, V index) const {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     if constexpr (sizeof(T) == 4) return hn::TableLookupLanes(load(table), hn::IndicesFromVec(D(), index));
@@ -309,8 +297,7 @@ struct SimdLanes {
  private:
   HWY_INLINE static V pair(V low, V high) { return hn::Or(low, hn::ShiftLeft<16>(high)); }
   HWY_INLINE V signed_pair(V p, V q) const { return hn::Xor(pair(p, q), set(static_cast<T>(0x80008000))); }
-  // a.low * b.low + a.high * b.high of signed 16-bit halves; only where
-  // kHasPairs.
+  // a.low * b.low + a.high * b.high of signed 16-bit halves; only where kHasPairs.
   HWY_INLINE V sum_of_pairs(V a, V b) const {
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (kHasPairs) {

@@ -1,5 +1,4 @@
-// texture: address, fetch, filter. Each goes over the whole batch before the
-// next begins.
+// texture: address, fetch, filter. Each goes over the whole batch before the next begins.
 #if defined(GOLDEN_PIXEL_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GOLDEN_PIXEL_TEXTURE_INL_H_
 #undef GOLDEN_PIXEL_TEXTURE_INL_H_
@@ -16,8 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
 
-// i wrapped, as a stored position of BoundTexture: wrap(i + 1) is stored beside
-// it.
+// i wrapped, as a stored position of BoundTexture: wrap(i + 1) is stored beside it.
 template <class L>
 HWY_INLINE typename L::V wrapped(const L& l, typename L::V i, typename L::V log2_size, int mode) {
   const auto one = l.set(1);
@@ -126,8 +124,7 @@ struct Samples {
   TexelQuads quads_a, quads_b;
 };
 
-// Filters three components: hand_on(component, fragment, f) takes each with D
-// fraction bits.
+// Filters three components: hand_on(component, fragment, f) takes each with D fraction bits.
 template <class L, class HandOn>
 HWY_INLINE void filter_any(const L& l, const Config& c, int count, const Samples<typename L::Int>& s,
                            const HandOn& hand_on) {
@@ -148,8 +145,7 @@ HWY_INLINE void filter_any(const L& l, const Config& c, int count, const Samples
   }
 }
 
-// The same, trilinear, where the weights of a fragment's eight texels fit the
-// halves of a lane.
+// The same, trilinear, where the weights of a fragment's eight texels fit the halves of a lane.
 inline bool has_short_weights(const Config& c) {
   return c.trilinear() && c.texel_bits + c.weight_bits <= 16 && c.weight_bits + c.lod_bits <= 14;
 }
