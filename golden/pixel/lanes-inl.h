@@ -4,9 +4,8 @@
 //   add sub mul shl sar ...     exact: the result must fit the lane, which CheckedLanes verifies
 //   mul_half                    the same, for operands of half a lane: a signed, b at least 0 and below 2^(lane/2 - 1)
 //   dot                         of two triples whose elements are halves of a lane, signed
-//   weigh_fields<k>             p (2^n - w) + q w, w at most 2^n and given as weights(w, n); p and q are fields k = 0
-//   to 2
-//                               of `width` bits, 15 at most, of words that hold three
+//   weigh_fields<k>             p (2^n - w) + q w, w at most 2^n and given as weights(w, n); p and q are fields k of
+//                               `width` bits, 15 at most, of words that hold three
 //   weigh16                     the same, p and q the operands themselves, of 16 bits, unsigned
 //   weigh_twice16               f (2^m - w) + g w, for f and g as of weigh16, n + m at most 14
 //   add_modular mul_modular     modulo 2^lane, for accumulators kept left-aligned
