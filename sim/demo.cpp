@@ -9,6 +9,7 @@
 #include "sim/engine.h"
 #include "sim/picture.h"
 #include "sim/progress.h"
+#include "sim/tessellation.h"
 
 namespace wrinkle {
 namespace {
@@ -136,7 +137,9 @@ int demo(const Options& options) {
   write_picture(sheet_path, contact_sheet(sheet, 3));
   fmt::print("{}: each frame, its method error and its precision error ({} times as large)\n", sheet_path.string(),
              kGain);
-  write_json(options.json, {{"equal", equal}, {"frames", frames}, {"sheet", sheet_path.string()}});
+  const nlohmann::json tessellation = tessellation_table();
+  write_json(options.json,
+             {{"equal", equal}, {"frames", frames}, {"sheet", sheet_path.string()}, {"tessellation", tessellation}});
   return equal ? kExitEqual : kExitDifferent;
 }
 
