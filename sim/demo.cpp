@@ -8,6 +8,7 @@
 #include "sim/comparison.h"
 #include "sim/picture.h"
 #include "sim/progress.h"
+#include "sim/tessellation.h"
 
 namespace wrinkle {
 namespace {
@@ -41,7 +42,9 @@ int demo(const Options& options) {
   write_picture(sheet_path, contact_sheet(sheet, 3));
   fmt::print("{}: each frame, its method error and its precision error ({} times as large)\n", sheet_path.string(),
              kDifferenceGain);
-  write_json(options.json, {{"equal", equal}, {"frames", frames}, {"sheet", sheet_path.string()}});
+  const nlohmann::json tessellation = tessellation_table();
+  write_json(options.json,
+             {{"equal", equal}, {"frames", frames}, {"sheet", sheet_path.string()}, {"tessellation", tessellation}});
   return equal ? kExitEqual : kExitDifferent;
 }
 

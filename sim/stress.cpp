@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command.h"
+#include "sim/config_file.h"
 #include "sim/stress/catalogue.h"
 
 namespace wrinkle {
@@ -13,7 +14,8 @@ namespace {
 struct Options {
   std::vector<int> entries;
   RtlOptions rtl;
-  bool golden_only = false;
+  std::string config = "standard";
+  bool golden_only = false, long_run = false;
   std::filesystem::path json;
 };
 
@@ -36,18 +38,19 @@ bool chosen(const Options& options, int number) {
 
 int stress(const Options& options) {
   const BenchOptions bench = bench_options(options.rtl);
+  const Config config = load_config(options.config);
   nlohmann::json rows = nlohmann::json::array();
   bool good = true;
   fmt::print(
       " nr  extreme                                              cases      worst      bound  unit         RTL\n");
   for (const ExtremeEntry& entry : extremes()) {
-    if (!chosen(options, entry.number)) continue;
-    if (!entry.run) {
-      fmt::print("{:>3}  {:<48}  not reachable: {}\n", entry.number, entry.title, entry.unreachable);
-      rows.push_back({{"number", entry.number}, {"title", entry.title}, {"unreachable", entry.unreachable}});
+    if (!chosen(options, entry.number) || (entry.long_run && !options.long_run)) continue;
+    const Extreme extreme = entry.run ? entry.run(config) : Extreme{.unreachable = entry.unreachable};
+    if (!extreme.unreachable.empty()) {
+      fmt::print("{:>3}  {:<48}  not reachable: {}\n", entry.number, entry.title, extreme.unreachable);
+      rows.push_back({{"number", entry.number}, {"title", entry.title}, {"unreachable", extreme.unreachable}});
       continue;
     }
-    const Extreme extreme = entry.run();
     const std::uint64_t mismatches = options.golden_only ? 0 : rtl_mismatches(entry, extreme, bench);
     const bool inside = extreme.inside() && extreme.cases > 0;
     good &= inside && mismatches == 0;
@@ -67,7 +70,7 @@ int stress(const Options& options) {
                     {"mismatches", mismatches},
                     {"inside", inside}});
   }
-  write_json(options.json, {{"equal", good}, {"entries", rows}});
+  write_json(options.json, {{"equal", good}, {"config", options.config}, {"entries", rows}});
   return good ? kExitEqual : kExitDifferent;
 }
 
@@ -79,6 +82,10 @@ void add_stress(CLI::App& app, Run& run) {
   command->add_option("--only", options->entries, "Numbers of entries, by commas")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command->add_option("-c,--config", options->config, "Whose widths the stimuli are made for")
+      ->check(CLI::IsMember(named_configs()))
+      ->capture_default_str();
+  command->add_flag("--long", options->long_run, "Also the picture of 4096 by 4096, 16.8 million fragments");
   command->add_flag("--golden-only", options->golden_only, "Leave the RTL out");
   add_rtl_options(*command, options->rtl);
   add_json_option(*command, options->json);

@@ -29,14 +29,16 @@ BoundTexture bind_texture(const Texture& texture, Wrap wrap_u, Wrap wrap_v) {
   for (std::size_t level = 0; level < texture.levels.size(); ++level) {
     const int width = texture.width(static_cast<int>(level)), height = texture.height(static_cast<int>(level));
     const int columns = extent(width, wrap_u), rows = extent(height, wrap_v);
-    bound.offset[level] = static_cast<std::int32_t>(bound.low.size());
+    bound.offset[level] = static_cast<std::int32_t>(bound.low.size() / 2);
     bound.stride[level] = columns;
-    for (int y = 0; y < rows; ++y) {
-      const auto row = static_cast<std::size_t>(source(y, height, wrap_v)) * static_cast<std::size_t>(width);
+    for (int y = 0; y + 1 < rows; ++y) {
       for (int x = 0; x < columns; ++x) {
-        const std::uint64_t texel = texture.levels[level][row + static_cast<std::size_t>(source(x, width, wrap_u))];
-        bound.low.push_back(static_cast<std::uint32_t>(texel & first_mask));
-        if (has_second) bound.high.push_back(static_cast<std::uint32_t>(texel >> first_bits));
+        for (int below = 0; below < 2; ++below) {
+          const int index = source(y + below, height, wrap_v) * width + source(x, width, wrap_u);
+          const std::uint64_t texel = texture.levels[level][static_cast<std::size_t>(index)];
+          bound.low.push_back(static_cast<std::uint32_t>(texel & first_mask));
+          if (has_second) bound.high.push_back(static_cast<std::uint32_t>(texel >> first_bits));
+        }
       }
     }
   }

@@ -1,4 +1,4 @@
-// The fetch of the texture stage: one scalar loop for every instance. Loads of 64 bits bring a texel and its neighbour;
+// The fetch of the texture stage: one scalar loop for every instance. One load of 128 bits brings all four texels;
 // gather instructions are slower on the machines of today.
 #pragma once
 
@@ -9,20 +9,19 @@
 
 namespace wrinkle {
 
-// Per fragment: where its upper left texel lies, the distance of the row below, and the weights of the sample.
+// Per fragment: where its upper left texel lies, and the weights of the sample.
 template <class Int>
 struct TexelAddresses {
   using Column = typename Batch<Int>::Column;
-  alignas(64) Column position, stride, weight_u, weight_v;
+  alignas(64) Column position, weight_u, weight_v;
 };
 
-// Rows y and y + 1 of each sample, of texels x (low half) and x + 1.
-struct TexelRows {
-  using Column = std::array<std::uint64_t, kBatch + kBatchPadding>;
-  alignas(64) Column upper, lower;
+// The four texels of each sample: upper left, lower left, upper right, lower right.
+struct TexelQuads {
+  alignas(64) std::array<std::uint32_t, 4 * (kBatch + kBatchPadding)> texels;
 };
 
 template <class Int>
-void fetch(const std::uint32_t* texels, const TexelAddresses<Int>& addresses, int count, TexelRows& rows);
+void fetch(const std::uint32_t* texels, const TexelAddresses<Int>& addresses, int count, TexelQuads& quads);
 
 }  // namespace wrinkle

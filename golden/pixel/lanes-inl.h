@@ -3,8 +3,12 @@
 //
 //   add sub mul shl sar ...     exact: the result must fit the lane, which CheckedLanes verifies
 //   mul_half                    the same, for operands of half a lane: a signed, b at least 0 and below 2^(lane/2 - 1)
-//   weigh15 weigh16             p (2^n - w) + q w, for p and q of 15 or 16 bits, unsigned, and w of weights(w, n) at
-//   most 2^n add_modular mul_modular     modulo 2^lane, for accumulators kept left-aligned
+//   dot                         of two triples whose elements are halves of a lane, signed
+//   weigh_fields<k>             p (2^n - w) + q w, w at most 2^n and given as weights(w, n); p and q are fields k of
+//                               `width` bits, 15 at most, of words that hold three
+//   weigh16                     the same, p and q the operands themselves, of 16 bits, unsigned
+//   weigh_twice16               f (2^m - w) + g w, for f and g as of weigh16, n + m at most 14
+//   add_modular mul_modular     modulo 2^lane, for accumulators kept left-aligned
 //
 // `n` of a shift is the same for all lanes; shl_each and sar_each take one count a lane.
 #if defined(GOLDEN_PIXEL_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -61,12 +65,28 @@ struct ScalarLanes {
     }
     return checked(a * b);
   }
+  V dot(V ax, V ay, V az, V bx, V by, V bz) const {
+    const V x = checked(signed_half(ax) * signed_half(bx)), y = checked(signed_half(ay) * signed_half(by));
+    return add(add(x, y), checked(signed_half(az) * signed_half(bz)));
+  }
   V weights(V w, int) const { return w; }
-  V weigh15(V p, V q, V w, int n) const {
+  template <int k>
+  V weigh_fields(V p, V q, int width, V w, int n) const {
+    const V mask = (V{1} << width) - 1;
+    p = (p >> (k * width)) & mask, q = (q >> (k * width)) & mask;
     return add(shl(unsigned_below(p, 15), n), mul(unsigned_below(q, 15) - p, w));
   }
   V weigh16(V p, V q, V w, int n) const {
     return add(shl(unsigned_below(p, 16), n), mul(unsigned_below(q, 16) - p, w));
+  }
+  // p and q by u, r and s by t, then the two by w.
+  struct TwoWeights {
+    V u, t, w;
+  };
+  TwoWeights two_weights(V u, V t, int, V w, int) const { return {u, t, w}; }
+  V weigh_twice16(V p, V q, V r, V s, const TwoWeights& weights, int n, int m) const {
+    const V f = weigh16(p, q, weights.u, n), g = weigh16(r, s, weights.t, n);
+    return add(shl(f, m), mul(sub(g, f), weights.w));
   }
   V add_modular(V a, V b) const { return wrap(unsigned_of(a) + unsigned_of(b)); }
   V mul_modular(V a, V b) const { return wrap(unsigned_of(a) * unsigned_of(b)); }
@@ -92,11 +112,16 @@ struct ScalarLanes {
   V lookup(const Int* table, V index) const { return table[index]; }
   V lookup32(const Int* table, V index) const { return table[index]; }
   V lookup16(const Int* table, V index) const { return table[index]; }
-  // The low or high half of 64-bit words.
-  V low_half(const std::uint64_t* p) const { return static_cast<V>(*p & 0xffffffffu); }
-  V high_half(const std::uint64_t* p) const { return static_cast<V>(*p >> 32); }
+  // Words 0, 1, 2, 3 of every lane's four.
+  std::array<V, 4> load_fours(const std::uint32_t* p) const { return {p[0], p[1], p[2], p[3]}; }
 
  private:
+  V signed_half(V v) const {
+    if constexpr (kIsChecked) {
+      if (v >> (bits / 2 - 1) != v >> 63) throw std::logic_error("an operand leaves its half of the lane");
+    }
+    return v;
+  }
   static V unsigned_below(V v, int half_bits) {
     if constexpr (kIsChecked) {
       if (v >> half_bits != 0) throw std::logic_error("an operand leaves its half of the lane");
@@ -146,19 +171,47 @@ struct SimdLanes {
   }
   // Products of 16-bit pairs sum two by two: the pair (p, q) with the pair (2^n - w, w). 16 bits become signed by
   // taking 2^15 off both, which takes 2^(15+n) off the result.
-  HWY_INLINE V weights(V w, int n) const {
-    if constexpr (!kHasPairs) return w;
-    return hn::Or(hn::Sub(set(T{1} << n), w), hn::ShiftLeft<16>(w));
+  HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) const {
+    if constexpr (kHasPairs) {
+      const V low = set(0xffff);
+      return hn::Add(sum_of_pairs(pair(hn::And(ax, low), ay), pair(hn::And(bx, low), by)),
+                     sum_of_pairs(hn::And(az, low), bz));
+    }
+    return hn::Add(hn::Add(mul_half(ax, bx), mul_half(ay, by)), mul_half(az, bz));
   }
-  HWY_INLINE V weigh15(V p, V q, V w, int n) const {
-    if constexpr (!kHasPairs) return hn::Add(shl(p, n), mul_half(hn::Sub(q, p), w));
-    return sum_of_pairs(hn::Or(p, hn::ShiftLeft<16>(q)), w);
+  HWY_INLINE V weights(V w, int n) const { return kHasPairs ? pair(hn::Sub(set(T{1} << n), w), w) : w; }
+  template <int k>
+  HWY_INLINE V weigh_fields(V p, V q, int width, V w, int n) const {
+    const T mask = (T{1} << width) - 1;
+    if constexpr (kHasPairs) {
+      // Nothing lies above field 2; fields 0 and 1 of q get to the high half in one shift.
+      if constexpr (k == 2) return sum_of_pairs(pair(sar(p, 2 * width), sar(q, 2 * width)), w);
+      const V left = hn::And(k == 0 ? p : sar(p, width), set(mask));
+      const V right = k == 0 ? hn::ShiftLeft<16>(q) : shl(q, 16 - width);
+      return sum_of_pairs(hn::OrAnd(left, right, set(mask << 16)), w);
+    }
+    const V left = hn::And(sar(p, k * width), set(mask)), right = hn::And(sar(q, k * width), set(mask));
+    return hn::Add(shl(left, n), mul_half(hn::Sub(right, left), w));
   }
   HWY_INLINE V weigh16(V p, V q, V w, int n) const {
-    if constexpr (kBits == 64) return weigh15(p, q, w, n);
-    if constexpr (!kHasPairs) return hn::Add(shl(p, n), mul(hn::Sub(q, p), w));
-    const V pair = hn::Xor(hn::Or(p, hn::ShiftLeft<16>(q)), set(static_cast<T>(0x80008000)));
-    return hn::Add(sum_of_pairs(pair, w), set(T{0x8000} << n));
+    if constexpr (kHasPairs) return hn::Add(sum_of_pairs(signed_pair(p, q), w), set(T{0x8000} << n));
+    return hn::Add(shl(p, n), kBits == 64 ? mul_half(hn::Sub(q, p), w) : mul(hn::Sub(q, p), w));
+  }
+  // With pairs, w goes into u and t, both halves of a pair at once.
+  struct TwoWeights {
+    V u, t, w;
+  };
+  HWY_INLINE TwoWeights two_weights(V u, V t, int n, V w, int m) const {
+    if constexpr (!kHasPairs) return {u, t, w};
+    return {hn::Mul(weights(u, n), hn::Sub(set(T{1} << m), w)), hn::Mul(weights(t, n), w), w};
+  }
+  HWY_INLINE V weigh_twice16(V p, V q, V r, V s, const TwoWeights& weights, int n, int m) const {
+    if constexpr (kHasPairs) {
+      const V f = sum_of_pairs(signed_pair(p, q), weights.u), g = sum_of_pairs(signed_pair(r, s), weights.t);
+      return hn::Add(hn::Add(f, g), set(T{0x8000} << (n + m)));
+    }
+    const V f = weigh16(p, q, weights.u, n), g = weigh16(r, s, weights.t, n);
+    return hn::Add(shl(f, m), mul(hn::Sub(g, f), weights.w));
   }
   HWY_INLINE V add_modular(V a, V b) const { return hn::Add(a, b); }
   HWY_INLINE V mul_modular(V a, V b) const { return hn::Mul(a, b); }
@@ -215,32 +268,34 @@ struct SimdLanes {
 #endif
     return lookup(table, index);
   }
-  HWY_INLINE V low_half(const std::uint64_t* p) const {
+  struct Fours {
+    V v[4];
+    HWY_INLINE V operator[](int i) const { return v[i]; }
+  };
+  HWY_INLINE Fours load_fours(const std::uint32_t* p) const {
 #if HWY_TARGET == HWY_SCALAR
-    return set(static_cast<T>(*p & 0xffffffffu));
+    return {
+        {set(static_cast<T>(p[0])), set(static_cast<T>(p[1])), set(static_cast<T>(p[2])), set(static_cast<T>(p[3]))}};
 #else
+    const D d;
+    const T* words = reinterpret_cast<const T*>(p);
+    const auto at = [&](int i) HWY_ATTR { return load(words + i * size()); };
     if constexpr (sizeof(T) == 4) {
-      const T* words = reinterpret_cast<const T*>(p);
-      return hn::ConcatEven(D(), load(words + size()), load(words));
+      const V even0 = hn::ConcatEven(d, at(1), at(0)), even1 = hn::ConcatEven(d, at(3), at(2));
+      const V odd0 = hn::ConcatOdd(d, at(1), at(0)), odd1 = hn::ConcatOdd(d, at(3), at(2));
+      return {{hn::ConcatEven(d, even1, even0), hn::ConcatEven(d, odd1, odd0), hn::ConcatOdd(d, even1, even0),
+               hn::ConcatOdd(d, odd1, odd0)}};
     } else {
-      return hn::And(load(reinterpret_cast<const T*>(p)), set(0xffffffff));
-    }
-#endif
-  }
-  HWY_INLINE V high_half(const std::uint64_t* p) const {
-#if HWY_TARGET == HWY_SCALAR
-    return set(static_cast<T>(*p >> 32));
-#else
-    if constexpr (sizeof(T) == 4) {
-      const T* words = reinterpret_cast<const T*>(p);
-      return hn::ConcatOdd(D(), load(words + size()), load(words));
-    } else {
-      return shr_modular(load(reinterpret_cast<const T*>(p)), 32);
+      const V left = hn::ConcatEven(d, at(1), at(0)), right = hn::ConcatOdd(d, at(1), at(0));
+      const V low = set(0xffffffff);
+      return {{hn::And(left, low), shr_modular(left, 32), hn::And(right, low), shr_modular(right, 32)}};
     }
 #endif
   }
 
  private:
+  HWY_INLINE static V pair(V low, V high) { return hn::Or(low, hn::ShiftLeft<16>(high)); }
+  HWY_INLINE V signed_pair(V p, V q) const { return hn::Xor(pair(p, q), set(static_cast<T>(0x80008000))); }
   // a.low * b.low + a.high * b.high of signed 16-bit halves; only where kHasPairs.
   HWY_INLINE V sum_of_pairs(V a, V b) const {
 #if HWY_TARGET != HWY_SCALAR

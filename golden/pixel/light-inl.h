@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 // Exact, 2F fraction bits.
 template <class L, class Columns>
 HWY_INLINE typename L::V dot_product(const L& l, const Columns& a, const Columns& b, std::size_t i) {
-  const auto product = [&](std::size_t k) HWY_ATTR { return l.mul(l.load(&a[k][i]), l.load(&b[k][i])); };
-  return l.add(l.add(product(0), product(1)), product(2));
+  const auto element = [&](const Columns& v, std::size_t k) HWY_ATTR { return l.load(&v[k][i]); };
+  return l.dot(element(a, 0), element(a, 1), element(a, 2), element(b, 0), element(b, 1), element(b, 2));
 }
 
 // A cosine with 2F fraction bits to u1.DF.

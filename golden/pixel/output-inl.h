@@ -27,7 +27,8 @@ HWY_INLINE typename L::V shade_channel(const L& l, const Constants<typename L::I
   }
   const auto sum = l.add(l.shl(base, pf - df), l.mul_half(l.set(c.draw.specular[k]), specular));
   const typename L::Int full = (typename L::Int{1} << bits) - 1;
-  return saturate(l, round_half_up(l, l.mul(sum, l.set(full)), bits + pf), 0, full);
+  const auto scaled = l.sub(l.shl(sum, bits), sum);  // times `full`
+  return saturate(l, round_half_up(l, scaled, bits + pf), 0, full);
 }
 
 template <class L>

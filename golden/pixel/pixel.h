@@ -59,7 +59,7 @@ template <class Int>
 Fragment fragment(const Batch<Int>& batch, int index);
 
 // Which instance of the one source shades the lanes. kChecked is kScalar, throwing std::logic_error where an operation
-// leaves the lane that lane_bits() promises to be wide enough.
+// leaves the lane that lane_bits() promises to be wide enough; in a debug build kScalar is kChecked.
 enum class Lanes { kScalar, kSimd, kChecked };
 // Name of the instruction set that kSimd uses on this machine, as Highway names it ("AVX3_ZEN4", "AVX2" ...).
 std::string_view simd_target();

@@ -3,6 +3,13 @@
 
 namespace wrinkle {
 
+// Debug builds check the range of every value that the scalar instance computes.
+#ifdef NDEBUG
+constexpr bool kAlwaysChecked = false;
+#else
+constexpr bool kAlwaysChecked = true;
+#endif
+
 void run_scalar(const Context& c, unsigned stages, const Spans<std::int64_t>& spans, Batch<std::int64_t>& batch) {
   HWY_NAMESPACE::run(HWY_NAMESPACE::ScalarLanes<false>(), c, stages, spans, batch);
 }
@@ -20,7 +27,8 @@ void run_stages(Lanes lanes, const Context& c, unsigned stages, const Spans<std:
 void run_stages(Lanes lanes, const Context& c, unsigned stages, const Spans<std::int64_t>& spans,
                 Batch<std::int64_t>& batch) {
   if (lanes == Lanes::kSimd) return run_simd(c, stages, spans, batch);
-  lanes == Lanes::kChecked ? run_checked(c, stages, spans, batch) : run_scalar(c, stages, spans, batch);
+  kAlwaysChecked || lanes == Lanes::kChecked ? run_checked(c, stages, spans, batch)
+                                             : run_scalar(c, stages, spans, batch);
 }
 
 }  // namespace wrinkle

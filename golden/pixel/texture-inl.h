@@ -56,7 +56,6 @@ HWY_INLINE void address(const L& l, const Constants<typename L::Int>& c, typenam
   const auto stride = l.lookup16(c.level_stride, level);
   const auto row = l.add(l.mul_half(y.position, stride), x.position);
   l.store(l.add(l.lookup16(c.level_offset, level), row), &out.position[i]);
-  l.store(stride, &out.stride[i]);
   l.store(x.weight, &out.weight_u[i]);
   l.store(y.weight, &out.weight_v[i]);
 }
@@ -82,36 +81,39 @@ HWY_INLINE typename L::V interpolated(const L& l, typename L::V p, typename L::V
   return l.add(l.shl(p, bits), l.mul(l.sub(q, p), weight));
 }
 
-// The four texels of fragments i... of one level.
+// The four texels of fragments i... of one level, and the weights between them.
 template <class L>
 struct Quad {
-  typename L::V upper_left, upper_right, lower_left, lower_right, weights_u, weight_v, weights_v;
+  typename L::V upper_left, lower_left, upper_right, lower_right, weights_u, weight_v;
 };
 template <class L>
-HWY_INLINE Quad<L> load_quad(const L& l, const Config& c, const TexelRows& rows,
+HWY_INLINE Quad<L> load_quad(const L& l, const Config& c, const TexelQuads& quads,
                              const TexelAddresses<typename L::Int>& addresses, std::size_t i) {
-  const int b = c.weight_fraction_bits();
-  const auto u = l.load(&addresses.weight_u[i]), v = l.load(&addresses.weight_v[i]);
-  return {l.low_half(&rows.upper[i]),
-          l.high_half(&rows.upper[i]),
-          l.low_half(&rows.lower[i]),
-          l.high_half(&rows.lower[i]),
-          l.weights(u, b),
-          v,
-          l.weights(v, b)};
+  const auto four = l.load_fours(&quads.texels[4 * i]);
+  const auto weights_u = l.weights(l.load(&addresses.weight_u[i]), c.weight_fraction_bits());
+  return {four[0], four[1], four[2], four[3], weights_u, l.load(&addresses.weight_v[i])};
 }
 
-// A component, `shift` bits up in its texel, filtered within a level; 2B fraction bits.
+// Component k filtered along both rows of a quad; B fraction bits.
 template <class L>
-HWY_INLINE typename L::V filter_quad(const L& l, const Config& c, const Quad<L>& quad, int shift) {
-  const auto mask = l.set((1 << c.texel_bits) - 1);
-  const auto component = [&](typename L::V texel) HWY_ATTR { return l.and_(l.sar(texel, shift), mask); };
+struct Rows {
+  typename L::V upper, lower;
+};
+template <int k, class L>
+HWY_INLINE Rows<L> filter_rows(const L& l, const Config& c, const Quad<L>& quad) {
   const int b = c.weight_fraction_bits();
-  if (b == 0) return component(quad.upper_left);
-  const auto upper = l.weigh15(component(quad.upper_left), component(quad.upper_right), quad.weights_u, b);
-  const auto lower = l.weigh15(component(quad.lower_left), component(quad.lower_right), quad.weights_u, b);
-  if (c.texel_bits + b <= 16) return l.weigh16(upper, lower, quad.weights_v, b);
-  return interpolated(l, upper, lower, quad.weight_v, b);
+  return {l.template weigh_fields<k>(quad.upper_left, quad.upper_right, c.texel_bits, quad.weights_u, b),
+          l.template weigh_fields<k>(quad.lower_left, quad.lower_right, c.texel_bits, quad.weights_u, b)};
+}
+
+// The same filtered within the level; 2B fraction bits.
+template <int k, class L>
+HWY_INLINE typename L::V filter_quad(const L& l, const Config& c, const Quad<L>& quad) {
+  const int b = c.weight_fraction_bits();
+  if (b == 0) return l.and_(l.sar(quad.upper_left, k * c.texel_bits), l.set((1 << c.texel_bits) - 1));
+  const Rows<L> rows = filter_rows<k>(l, c, quad);
+  if (c.texel_bits + b <= 16) return l.weigh16(rows.upper, rows.lower, l.weights(quad.weight_v, b), b);
+  return interpolated(l, rows.upper, rows.lower, quad.weight_v, b);
 }
 
 // What is kept of a draw's samples between address and filter.
@@ -119,30 +121,59 @@ template <class Int>
 struct Samples {
   TexelAddresses<Int> a, b;
   alignas(64) typename Batch<Int>::Column weight;
-  TexelRows rows_a, rows_b;
+  TexelQuads quads_a, quads_b;
 };
 
-// Fetches and filters `components` of each texel; hand_on(component, fragment, f) takes each with D fraction bits.
+// Filters `components` (two or three): hand_on(component, fragment, f) takes each with D fraction bits.
+template <class L, class HandOn>
+HWY_INLINE void filter_any(const L& l, const Config& c, int components, int count, const Samples<typename L::Int>& s,
+                           const HandOn& hand_on) {
+  const bool trilinear = c.trilinear();
+  for (int first = 0; first < count; first += l.size()) {
+    const auto i = static_cast<std::size_t>(first);
+    const Quad<L> a = load_quad(l, c, s.quads_a, s.a, i);
+    const Quad<L> b = trilinear ? load_quad(l, c, s.quads_b, s.b, i) : a;
+    const auto weight = l.load(&s.weight[i]);
+    const auto component = [&](auto k) HWY_ATTR {
+      auto f = filter_quad<k>(l, c, a);
+      if (trilinear) f = interpolated(l, f, filter_quad<k>(l, c, b), weight, c.lod_fraction_bits());
+      hand_on(k, i, f);
+    };
+    component(std::integral_constant<int, 0>());
+    component(std::integral_constant<int, 1>());
+    if (components > 2) component(std::integral_constant<int, 2>());
+  }
+}
+
+// The same, trilinear, where the weights of a fragment's eight texels fit the halves of a lane.
+inline bool has_short_weights(const Config& c) {
+  return c.trilinear() && c.texel_bits + c.weight_bits <= 16 && c.weight_bits + c.lod_bits <= 14;
+}
+template <class L, class HandOn>
+HWY_INLINE void filter_short(const L& l, const Config& c, int components, int count, const Samples<typename L::Int>& s,
+                             const HandOn& hand_on) {
+  const int bits = c.weight_bits, lod_bits = c.lod_bits;
+  for (int first = 0; first < count; first += l.size()) {
+    const auto i = static_cast<std::size_t>(first);
+    const Quad<L> a = load_quad(l, c, s.quads_a, s.a, i), b = load_quad(l, c, s.quads_b, s.b, i);
+    const auto weights = l.two_weights(a.weight_v, b.weight_v, bits, l.load(&s.weight[i]), lod_bits);
+    const auto component = [&](auto k) HWY_ATTR {
+      const Rows<L> f = filter_rows<k>(l, c, a), g = filter_rows<k>(l, c, b);
+      hand_on(k, i, l.weigh_twice16(f.upper, f.lower, g.upper, g.lower, weights, bits, lod_bits));
+    };
+    component(std::integral_constant<int, 0>());
+    component(std::integral_constant<int, 1>());
+    if (components > 2) component(std::integral_constant<int, 2>());
+  }
+}
+
 template <class L, class HandOn>
 HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const std::vector<std::uint32_t>& texels,
                        int components, int count, Samples<typename L::Int>& s, const HandOn& hand_on) {
-  const bool trilinear = c.config.trilinear();
-  fetch(texels.data(), s.a, count, s.rows_a);
-  if (trilinear) fetch(texels.data(), s.b, count, s.rows_b);
-  for (int first = 0; first < count; first += l.size()) {
-    const auto i = static_cast<std::size_t>(first);
-    const Quad<L> a = load_quad(l, c.config, s.rows_a, s.a, i);
-    const Quad<L> b = load_quad(l, c.config, s.rows_b, s.b, i);
-    const auto weight = l.load(&s.weight[i]);
-    for (int k = 0; k < components; ++k) {
-      auto f = filter_quad(l, c.config, a, k * c.config.texel_bits);
-      if (trilinear) {
-        const auto g = filter_quad(l, c.config, b, k * c.config.texel_bits);
-        f = interpolated(l, f, g, weight, c.config.lod_fraction_bits());
-      }
-      hand_on(static_cast<std::size_t>(k), i, f);
-    }
-  }
+  fetch(texels.data(), s.a, count, s.quads_a);
+  if (c.config.trilinear()) fetch(texels.data(), s.b, count, s.quads_b);
+  has_short_weights(c.config) ? filter_short(l, c.config, components, count, s, hand_on)
+                              : filter_any(l, c.config, components, count, s, hand_on);
 }
 
 // A draw without texels: normal and slopes 0, decal white.

@@ -13,42 +13,37 @@ void Extreme::measure(double deviation, const std::string& description) {
   where = description;
 }
 
-// The widths that the values of the entries are written for.
-Config stress_config() {
-  Config config;
-  config.vector_bits = 10;
-  config.unit_bits = 9;
-  config.dot_bits = 10;
-  config.subpixel_bits = 8;
-  config.texel_bits = 8;
-  config.depth_bits = 20;
-  config.uv_bits = 18;
-  config.lod_bits = 5;
-  return config;
-}
-
-Config stress_config_wide() {
-  Config config = stress_config();
+Config stress_wide(Config config) {
   config.datapath = static_cast<int>(Datapath::kPhong);
+  config.decal = 0;
+  config.perspective = 0;
   config.screen_bits = 12;
-  config.guard_bits = 12;
+  config.guard_bits = std::max(config.guard_bits, 12);
   config.channels = 0;
   return config;
 }
 
-Config stress_config_perspective() {
-  Config config = stress_config();
+Config stress_perspective(Config config) {
   config.perspective = 1;
   return config;
+}
+
+Config stress_affine(Config config) {
+  config.perspective = 0;
+  return config;
+}
+
+double drift_bound(const Config& config, int steps) {
+  return 0.5 + (steps + 2) * std::ldexp(1.0, -(config.guard_bits + 1));
 }
 
 std::span<const ExtremeEntry> extremes() {
   static const std::vector<ExtremeEntry> all = [] {
     std::vector<ExtremeEntry> list;
     for (auto part : {geometry_extremes, interpolation_extremes, vector_extremes, lighting_extremes, texture_extremes,
-                      host_extremes, displacement_extremes})
+                      perspective_extremes, host_extremes, displacement_extremes})
       for (ExtremeEntry& entry : part()) list.push_back(std::move(entry));
-    std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+    std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
     return list;
   }();
   return all;

@@ -1,4 +1,5 @@
 // The catalogue of numerical extremes, 1 to 48, 56 and 57: one list for `./wrinkle stress` and for tests/extremes.
+// Values are made from the widths of the configuration that is asked about.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@ struct Extreme {
   double worst = 0;  // largest deviation from what is expected, in `unit`
   double bound = 0;  // stated; docs/numerics.md
   std::string unit = "pixels";
-  std::string where;  // the worst case, for people
+  std::string where;        // the worst case, for people
+  std::string unreachable;  // why this configuration has no case
   std::vector<Stimulus> stimuli;
 
   // Takes one more deviation into account.
@@ -29,16 +31,25 @@ struct Extreme {
 struct ExtremeEntry {
   int number;
   std::string title;
-  std::string unreachable;  // why no case exists, instead of `run`
-  std::function<Extreme()> run;
+  std::string unreachable;  // why no configuration has a case, instead of `run`
+  std::function<Extreme(const Config&)> run;
+  bool long_run = false;  // many fragments: left out unless asked for
 };
 
+// Sorted by number; a number may have several entries. A configuration has bump mapping, all three normalizers, depth
+// and S = 8, as every named one has: positions are written in 1/256 pixel.
 std::span<const ExtremeEntry> extremes();
 
-// The configurations the catalogue is drawn with: few, since each is a Verilated model.
-Config stress_config();       // `standard`
-Config stress_config_wide();  // 4096 by 4096 pixels, no texture
-Config stress_config_perspective();
+// What entries draw with besides the configuration itself: few, since each is a Verilated model.
+Config stress_wide(Config config);         // 4096 by 4096 pixels, no texture
+Config stress_perspective(Config config);  // u and v divided
+Config stress_affine(Config config);       // u and v not divided, so that a texture coordinate is what was set
+
+// 1.0 in LSB of s1.V, and one repeat in LSB of u.
+inline std::int64_t vector_one(const Config& config) { return std::int64_t{1} << config.vector_bits; }
+inline std::int64_t repeat_one(const Config& config) { return std::int64_t{1} << config.uv_bits; }
+// Interpolated values, n pixels and rows from the anchor. docs/numerics.md, "interpolate".
+double drift_bound(const Config& config, int steps);
 
 // The parts of the list, one file each.
 std::vector<ExtremeEntry> geometry_extremes();
@@ -46,6 +57,7 @@ std::vector<ExtremeEntry> interpolation_extremes();
 std::vector<ExtremeEntry> vector_extremes();
 std::vector<ExtremeEntry> lighting_extremes();
 std::vector<ExtremeEntry> texture_extremes();
+std::vector<ExtremeEntry> perspective_extremes();
 std::vector<ExtremeEntry> host_extremes();
 std::vector<ExtremeEntry> displacement_extremes();
 

@@ -1,6 +1,7 @@
 // Entries 1 to 12: coverage against the rule itself, evaluated at every pixel centre with exact edge functions.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
@@ -95,17 +96,17 @@ Extreme coverage_of(const Config& config, const std::vector<Corners>& triangles,
 // A triangle that covers pixels, to follow those that cover none: shows that the pipeline is not hung.
 constexpr Corners kAfter{{{256, 256}, {2560, 300}, {700, 2000}}};
 
-Extreme zero_area() {
+Extreme zero_area(const Config& config) {
   std::vector<Corners> triangles{{{{0, 0}, {2560, 2560}, {5120, 5120}}},
                                  {{{128, 128}, {128, 5000}, {128, 900}}},
                                  {{{128, 128}, {5000, 128}, {900, 128}}},
                                  {{{1, 2}, {301, 602}, {151, 302}}}};
   triangles.push_back(kAfter);
-  return coverage_of(stress_config(), triangles, {32, 32});
+  return coverage_of(config, triangles, {32, 32});
 }
 
-Extreme coincident() {
-  return coverage_of(stress_config(),
+Extreme coincident(const Config& config) {
+  return coverage_of(config,
                      {{{{300, 300}, {300, 300}, {900, 700}}},
                       {{{300, 300}, {900, 700}, {300, 300}}},
                       {{{384, 384}, {384, 384}, {384, 384}}},
@@ -113,9 +114,9 @@ Extreme coincident() {
                      {32, 32});
 }
 
-Extreme slivers() {
+Extreme slivers(const Config& config) {
   constexpr int kLength = 4096 * 256;
-  return coverage_of(stress_config_wide(),
+  return coverage_of(stress_wide(config),
                      {{{{0, 127}, {kLength, 127}, {kLength, 128}}},
                       {{{0, 128}, {kLength, 128}, {kLength, 129}}},
                       {{{0, 127}, {kLength, 128}, {0, 128}}},
@@ -125,7 +126,7 @@ Extreme slivers() {
                      {4096, 8});
 }
 
-Extreme one_centre() {
+Extreme one_centre(const Config& config) {
   std::vector<Corners> triangles;
   for (int dx = -2; dx <= 2; ++dx)
     for (int dy = -2; dy <= 2; ++dy) {
@@ -134,18 +135,18 @@ Extreme one_centre() {
       triangles.push_back({{{x, y}, {x + 1, y}, {x, y + 1}}});
       triangles.push_back({{{x + 20, y}, {x + 50, y}, {x + 20, y + 40}}});
     }
-  return coverage_of(stress_config(), triangles, {8, 8});
+  return coverage_of(config, triangles, {8, 8});
 }
 
 // Closed fans about a point on a pixel centre: every pixel of the disc exactly once.
-Extreme on_centres() {
+Extreme on_centres(const Config& config) {
   Extreme extreme;
   const std::vector<Corner> ring{{640, -896}, {2176, 128},  {2688, 640}, {2176, 2176},
                                  {640, 2688}, {-384, 2176}, {-896, 640}, {128, 128}};
   for (Corner hub : {Corner{640, 640}, Corner{896, 640}, Corner{1152, 1152}}) {
     std::vector<Corners> fan;
     for (std::size_t i = 0; i < ring.size(); ++i) fan.push_back({hub, ring[i], ring[(i + 1) % ring.size()]});
-    const auto total = measure_coverage(extreme, stress_config(), fan, {12, 12});
+    const auto total = measure_coverage(extreme, config, fan, {12, 12});
     int not_once = 0;
     for (const auto& [pixel, count] : total) not_once += count != 1;
     extreme.measure(not_once, fmt::format("fan about ({},{})", hub[0], hub[1]));
@@ -154,11 +155,10 @@ Extreme on_centres() {
 }
 
 // The value at the one pixel of a triangle whose gradients are as steep as they can be.
-Extreme minimal_area() {
+Extreme minimal_area(const Config& config) {
   Extreme extreme;
   extreme.unit = "LSB of s1.V";
-  extreme.bound = 1.5;
-  const Config config = stress_config();
+  extreme.bound = drift_bound(config, 1);
   for (const Corners& t :
        {Corners{{{128, 128}, {129, 128}, {128, 129}}}, Corners{{{127, 128}, {128, 128}, {128, 129}}},
         Corners{{{128, 127}, {129, 128}, {128, 128}}}, Corners{{{383, 640}, {384, 639}, {385, 641}}}}) {
@@ -183,9 +183,9 @@ Extreme minimal_area() {
   return extreme;
 }
 
-Extreme guard_band() {
+Extreme guard_band(const Config& config) {
   constexpr int kFar = 2 * 4096 * 256 - 1, kBelow = 12 * 256;
-  return coverage_of(stress_config_wide(),
+  return coverage_of(stress_wide(config),
                      {{{{-kFar / 2, -kFar / 2}, {kFar, -kFar / 2}, {-kFar / 2, kFar}}},
                       {{{kFar, kFar}, {-kFar / 2, kFar}, {kFar, -kFar / 2}}},
                       {{{-kFar / 2, 3}, {kFar, 1}, {kFar, kBelow}}},
@@ -193,7 +193,7 @@ Extreme guard_band() {
                      {4096, 8});
 }
 
-Extreme off_screen() {
+Extreme off_screen(const Config& config) {
   std::vector<Corners> triangles;
   for (int dx : {-1, 0, 1})
     for (int dy : {-1, 0, 1}) {
@@ -203,13 +203,12 @@ Extreme off_screen() {
       triangles.push_back({{{x + 4096, y + 4096}, {x + 4096, y}, {x, y + 4096}}});
     }
   triangles.push_back(kAfter);
-  return coverage_of(stress_config(), triangles, {16, 16});
+  return coverage_of(config, triangles, {16, 16});
 }
 
 // A square many screens wide, through the clipper: the screen is covered exactly once.
-Extreme straddling() {
+Extreme straddling(const Config& config) {
   Extreme extreme;
-  const Config config = stress_config();
   for (double size : {3.0, 40.0, 3000.0, 1e6})
     for (double shift : {0.0, 0.37}) {
       Scene scene;
@@ -242,12 +241,12 @@ Extreme straddling() {
 }
 
 // Both windings draw: the same fragments, value for value.
-Extreme windings() {
+Extreme windings(const Config& config) {
   Extreme extreme;
   extreme.unit = "fragments";
   std::mt19937 random(10);
   std::uniform_int_distribution<int> at(-1000, 9000);
-  Stimulus one(stress_config()), other(stress_config());
+  Stimulus one(config), other(config);
   one.add_draw({});
   other.add_draw({});
   for (int i = 0; i < 40; ++i) {
@@ -267,21 +266,45 @@ Extreme windings() {
   return extreme;
 }
 
-Extreme span_lengths() {
+Extreme span_lengths(const Config& config) {
   std::vector<Corners> triangles;
   for (int length : {1, 2, 4095, 4096}) {
     triangles.push_back({{{0, 0}, {length * 256, 0}, {0, 512}}});
     triangles.push_back({{{(4096 - length) * 256, 0}, {4096 * 256, 0}, {4096 * 256, 512}}});
   }
-  return coverage_of(stress_config_wide(), triangles, {4096, 2});
+  return coverage_of(stress_wide(config), triangles, {4096, 2});
 }
 
-Extreme image_sizes() {
+Extreme image_sizes(const Config& config) {
   Extreme extreme;
   for (Screen screen : {Screen{1, 1}, Screen{1, 4096}, Screen{4096, 1}, Screen{4096, 3}, Screen{3, 4096}}) {
     const int w = screen.width * 256, h = screen.height * 256;
-    measure_coverage(extreme, stress_config_wide(), {{{{0, 0}, {w, 0}, {w, h}}}, {{{0, 0}, {w, h}, {0, h}}}}, screen);
+    measure_coverage(extreme, stress_wide(config), {{{{0, 0}, {w, 0}, {w, h}}}, {{{0, 0}, {w, h}, {0, h}}}}, screen);
   }
+  return extreme;
+}
+
+// 16.8 million fragments: compared with the rule one by one, and never held all at once.
+Extreme largest_image(const Config& config) {
+  constexpr int kSize = 4096, kEnd = kSize * 256;
+  const Corners halves[] = {{{{0, 0}, {kEnd, 0}, {kEnd, kEnd}}}, {{{0, 0}, {kEnd, kEnd}, {0, kEnd}}}};
+  Extreme extreme;
+  Stimulus stimulus(stress_wide(config));
+  stimulus.add_draw({});
+  for (const Corners& t : halves) stimulus.add(screen_triangle(t, plain()), kSize, kSize);
+  const std::size_t x_value = stimulus.index("scan", "x"), y_value = stimulus.index("scan", "y");
+  std::vector<bool> drawn(std::size_t(kSize) * kSize);
+  double wrong = 0;
+  stimulus.each_golden([&](const FragmentValues& f, std::uint32_t owner) {
+    const std::int64_t x = f[x_value][0], y = f[y_value][0];
+    const auto pixel = std::size_t(y * kSize + x);
+    wrong += drawn[pixel] || !covers(halves[owner], x * 256 + 128, y * 256 + 128);
+    drawn[pixel] = true;
+    ++extreme.cases;
+  });
+  wrong += double(std::count(drawn.begin(), drawn.end(), false));
+  extreme.measure(wrong, "picture 4096 by 4096");
+  extreme.stimuli.push_back(std::move(stimulus));
   return extreme;
 }
 
@@ -299,7 +322,8 @@ std::vector<ExtremeEntry> geometry_extremes() {
           {9, "across the guard band", "", straddling},
           {10, "both windings", "", windings},
           {11, "spans of 1, 4095, 4096 pixels", "", span_lengths},
-          {12, "pictures 1 by 1, 1 by N, N by 1", "", image_sizes}};
+          {12, "pictures 1x1, 1x4096, 4096x1, 4096x3, 3x4096", "", image_sizes},
+          {12, "picture 4096 by 4096", "", largest_image, true}};
 }
 
 }  // namespace wrinkle

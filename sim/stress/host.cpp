@@ -65,12 +65,12 @@ Stimulus stimulus_of(const Config& config, const Scene& scene) {
 }
 
 // B = sign (N x T): with the sign the mirrored square is the mirror image of the other, code for code.
-Extreme mirrored_frame() {
+Extreme mirrored_frame(const Config& config) {
   Extreme extreme;
   extreme.unit = "colour codes";
   std::map<std::pair<std::int64_t, std::int64_t>, FragmentValues> left;
   for (bool mirrored : {false, true}) {
-    Stimulus stimulus = stimulus_of(stress_config(), square(mirrored));
+    Stimulus stimulus = stimulus_of(config, square(mirrored));
     const std::size_t colour = stimulus.index("output", "colour");
     const auto fragments = stimulus.golden();
     extreme.measure(std::abs(double(fragments.size()) - kSide * kSide), "number of fragments");
@@ -81,7 +81,7 @@ Extreme mirrored_frame() {
         continue;
       }
       const auto other = left.find({kSide - 1 - x, y});
-      for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t c = 0; c < std::size_t(config.channel_count()); ++c)
         extreme.measure(other == left.end() ? 1e9 : double(std::abs(f[colour][c] - other->second[colour][c])),
                         fmt::format("pixel {}, {}", x, y));
     }
@@ -92,7 +92,7 @@ Extreme mirrored_frame() {
 
 // Texture coordinates that give no direction: the tangents are finite unit vectors at right angles to the normal, or
 // the (1, 0, 0) that stands for none.
-Extreme degenerate_uv() {
+Extreme degenerate_uv(const Config&) {
   Extreme extreme;
   extreme.unit = "of 1";
   extreme.bound = 1e-6;
@@ -112,7 +112,7 @@ Extreme degenerate_uv() {
 }
 
 // |Pu| : |Pv| = 10^6 either way: the three coefficients are a unit vector, and are Blinn's normal in tangent space.
-Extreme stretched() {
+Extreme stretched(const Config&) {
   Extreme extreme;
   extreme.unit = "of 1";
   extreme.bound = 1e-9;
@@ -132,7 +132,7 @@ Extreme stretched() {
 }
 
 // Not finite, or of a size that no scene has: refused with a place, before anything is drawn.
-Extreme hostile_numbers() {
+Extreme hostile_numbers(const Config&) {
   Extreme extreme;
   extreme.unit = "files";
   const auto path = std::filesystem::temp_directory_path() / fmt::format("wrinkle_extreme_{}.toml", getpid());

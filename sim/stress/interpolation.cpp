@@ -17,7 +17,8 @@ using Corners = std::array<std::array<std::int32_t, 2>, 3>;
 // interpolated alike; z is the one that may have any value at every corner.
 using CornerValues = std::array<std::int64_t, 3>;
 // Set-up keeps z this clear of the ends of its format.
-constexpr std::int64_t kLow = 8, kTop = (1 << 20) - 1 - kLow;
+constexpr std::int64_t kLow = 8;
+std::int64_t top(const Config& config) { return (std::int64_t{1} << config.depth_bits) - 1 - kLow; }
 
 ScreenTriangle triangle_with(const Config& config, const Corners& corners, const CornerValues& values) {
   ScreenTriangle triangle = screen_triangle(corners);
@@ -66,32 +67,33 @@ Extreme measured_in_lsb(double bound) {
   return extreme;
 }
 
-// Half an LSB of rounding, and half an LSB of the gradient for the anchor and each pixel stepped.
-double drift_bound(const Config& config, int steps) {
-  return 0.5 + (steps + 1) * std::ldexp(1.0, -(config.guard_bits + 1));
-}
-
-Extreme gradient_zero() {
-  // The expectation is computed in float64.
-  Extreme extreme = measured_in_lsb(1e-6);
-  for (std::int64_t v : {kLow, kLow + 1, std::int64_t{777777}, kTop - 1, kTop})
-    measure_plane(extreme, stress_config(), {{{3, 7}, {9000, 900}, {500, 8000}}}, {v, v, v}, 40, 40);
+// Not one LSB, and not one fragment, off.
+Extreme gradient_zero(const Config& config) {
+  Extreme extreme = measured_in_lsb(0);
+  for (std::int64_t v : {kLow, kLow + 1, top(config) * 7 / 10, top(config) - 1, top(config)}) {
+    Stimulus stimulus(config);
+    stimulus.add_draw({});
+    stimulus.add(triangle_with(config, {{{3, 7}, {9000, 900}, {500, 8000}}}, {v, v, v}), 40, 40);
+    for (const FragmentValues& f : stimulus.golden())
+      extreme.measure(std::abs(double(f[stimulus.index("interpolate", "z")][0] - v)), fmt::format("z {}", v));
+    extreme.stimuli.push_back(std::move(stimulus));
+  }
   return extreme;
 }
 
-Extreme gradient_maximum() {
-  Extreme extreme = measured_in_lsb(drift_bound(stress_config(), 80));
-  const CornerValues steep{kLow, kTop, kLow + 1};
+Extreme gradient_maximum(const Config& config) {
+  Extreme extreme = measured_in_lsb(drift_bound(config, 80));
+  const CornerValues steep{kLow, top(config), kLow + 1};
   for (const Corners& t : {Corners{{{0, 0}, {300, 0}, {0, 10000}}}, Corners{{{0, 0}, {10000, 40}, {9000, 300}}},
                            Corners{{{0, 128}, {257, 127}, {130, 640}}}, Corners{{{0, 0}, {10000, 0}, {0, 10000}}}})
-    measure_plane(extreme, stress_config(), t, steep, 40, 40);
+    measure_plane(extreme, config, t, steep, 40, 40);
   return extreme;
 }
 
 // Beyond the end of its range a component wraps modulo 2^width: closed form.
-Extreme wrapping() {
+Extreme wrapping(const Config& config) {
   Extreme extreme = measured_in_lsb(0);
-  Stimulus stimulus(stress_config());
+  Stimulus stimulus(config);
   stimulus.add_draw({});
   const std::int64_t end = std::int64_t{1} << (stimulus.config().vector_bits + 1);
   const int length = 64;
@@ -114,31 +116,27 @@ Extreme wrapping() {
   return extreme;
 }
 
-Extreme drift() {
-  const Config config = stress_config_wide();
-  Extreme extreme = measured_in_lsb(drift_bound(config, 4096 + 2));
+Extreme drift(const Config& named) {
+  const Config config = stress_wide(named);
+  Extreme extreme = measured_in_lsb(drift_bound(config, 4096 + 1));
   const int end = 4096 * 256;
-  measure_plane(extreme, config, {{{0, 0}, {end, 0}, {0, 512}}}, {kLow, kTop, kLow + 1}, 4096, 2);
-  measure_plane(extreme, config, {{{end, 0}, {end, 512}, {0, 512}}}, {kTop - 5, 77, 300003}, 4096, 2);
-  measure_plane(extreme, config, {{{0, 0}, {512, 0}, {0, end}}}, {kLow + 3, kLow, kTop}, 2, 4096);
+  const std::int64_t most = top(config);
+  measure_plane(extreme, config, {{{0, 0}, {end, 0}, {0, 512}}}, {kLow, most, kLow + 1}, 4096, 2);
+  measure_plane(extreme, config, {{{end, 0}, {end, 512}, {0, 512}}}, {most - 5, 77, most * 3 / 10}, 4096, 2);
+  measure_plane(extreme, config, {{{0, 0}, {512, 0}, {0, end}}}, {kLow + 3, kLow, most}, 2, 4096);
   return extreme;
 }
 
-// Two triangles of one plane: how far the errors on both sides of the shared edge are apart.
-Extreme shared_edge() {
-  const Config config = stress_config();
+// Two triangles that share an edge and its values: how far the errors on both sides of it are apart.
+Extreme shared_edge(const Config& config) {
   Extreme extreme = measured_in_lsb(2 * drift_bound(config, 64));
   const Corners one{{{-300, -200}, {8500, 400}, {100, 8100}}}, two{{{8500, 400}, {8900, 8700}, {100, 8100}}};
-  // 13 x - 17 y and an offset: whole at every corner.
-  const auto values = [](const Corners& t) {
-    CornerValues v;
-    for (std::size_t i = 0; i < 3; ++i) v[i] = 13 * t[i][0] - 17 * t[i][1] + 300000;
-    return v;
-  };
+  const std::int64_t most = top(config);
+  const CornerValues ones{most * 3 / 10, most * 7 / 10, most / 10}, twos{most * 7 / 10, most * 9 / 10, most / 10};
   Stimulus stimulus(config);
   stimulus.add_draw({});
-  stimulus.add(triangle_with(config, one, values(one)), 32, 32);
-  stimulus.add(triangle_with(config, two, values(two)), 32, 32);
+  stimulus.add(triangle_with(config, one, ones), 32, 32);
+  stimulus.add(triangle_with(config, two, twos), 32, 32);
   std::vector<std::uint32_t> owners;
   const auto fragments = stimulus.golden(owners);
   std::map<std::pair<std::int64_t, std::int64_t>, std::pair<std::uint32_t, double>> error;
@@ -146,8 +144,8 @@ Extreme shared_edge() {
     const Corners& corners = owners[i] == 0 ? one : two;
     const FragmentValues& f = fragments[i];
     error[{f[stimulus.index("scan", "y")][0], f[stimulus.index("scan", "x")][0]}] = {
-        owners[i],
-        double(f[stimulus.index("interpolate", "z")][0]) - plane_at(config, corners, values(corners), f, stimulus)};
+        owners[i], double(f[stimulus.index("interpolate", "z")][0]) -
+                       plane_at(config, corners, owners[i] == 0 ? ones : twos, f, stimulus)};
   }
   for (const auto& [pixel, mine] : error) {
     const auto right = error.find({pixel.first, pixel.second + 1});
@@ -159,16 +157,16 @@ Extreme shared_edge() {
   return extreme;
 }
 
-Extreme rotated() {
+Extreme rotated(const Config& config) {
   Extreme extreme = measured_in_lsb(0);
   std::mt19937 random(18);
-  std::uniform_int_distribution<int> at(-2000, 10000), value{int{kLow}, int{kTop}};
-  std::vector<Stimulus> turns(3, Stimulus(stress_config()));
+  std::uniform_int_distribution<int> at(-2000, 10000), value{int{kLow}, int(top(config))};
+  std::vector<Stimulus> turns(3, Stimulus(config));
   for (Stimulus& turn : turns) turn.add_draw({});
   for (int i = 0; i < 30; ++i) {
     const Corners corners{{{at(random), at(random)}, {at(random), at(random)}, {at(random), at(random)}}};
     const CornerValues values{value(random), value(random), value(random)};
-    ScreenTriangle triangle = triangle_with(stress_config(), corners, values);
+    ScreenTriangle triangle = triangle_with(config, corners, values);
     for (Stimulus& turn : turns) {
       turn.add(triangle, 32, 32);
       std::rotate(triangle.v.begin(), triangle.v.begin() + 1, triangle.v.end());

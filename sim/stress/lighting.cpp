@@ -12,6 +12,12 @@ namespace {
 
 using IntVec = std::array<std::int64_t, 3>;
 
+// Entries write vectors for V = 10.
+IntVec scaled(const Config& config, IntVec v) {
+  for (auto& c : v) c = (c << config.vector_bits) >> 10;
+  return v;
+}
+
 double dot_of(const Stimulus& s, const FragmentValues& f, std::string_view a, std::string_view b) {
   double sum = 0;
   for (std::size_t e = 0; e < 3; ++e) sum += s.real(f, "normalize", a, e) * s.real(f, "normalize", b, e);
@@ -30,11 +36,11 @@ void measure_dots(Extreme& extreme, const Stimulus& stimulus) {
   }
 }
 
-Extreme dots(const std::vector<std::pair<IntVec, IntVec>>& pairs) {
+Extreme dots(const Config& config, const std::vector<std::pair<IntVec, IntVec>>& pairs) {
   Extreme extreme;
   extreme.unit = "LSB of u1.DF";
   extreme.bound = 0.5;
-  Stimulus stimulus(stress_config());
+  Stimulus stimulus(config);
   stimulus.add_draw({});
   for (const auto& [n, l] : pairs) stimulus.add_vectors(n, l, l);
   measure_dots(extreme, stimulus);
@@ -42,64 +48,80 @@ Extreme dots(const std::vector<std::pair<IntVec, IntVec>>& pairs) {
   return extreme;
 }
 
-Extreme grazing() {
+Extreme grazing(const Config& config) {
   std::vector<std::pair<IntVec, IntVec>> pairs;
+  const std::int64_t one = vector_one(config), diagonal = std::llround(double(one) * std::sqrt(0.5));
   for (std::int64_t d = -16; d <= 16; ++d) {
-    pairs.push_back({{0, 0, 1024}, {1024, 0, d}});
-    pairs.push_back({{724, 724, 0}, {724, -724 + d, 0}});
-    pairs.push_back({{900, 300 + d, 4}, {-300, 900, 2 * d}});
+    pairs.push_back({{0, 0, one}, {one, 0, d}});
+    pairs.push_back({{diagonal, diagonal, 0}, {diagonal, -diagonal + d, 0}});
+    pairs.push_back({{one * 7 / 8, one / 4 + d, 4}, {-one / 4, one * 7 / 8, 2 * d}});
   }
-  return dots(pairs);
+  return dots(config, pairs);
 }
 
-Extreme negative() {
+Extreme negative(const Config& config) {
   std::vector<std::pair<IntVec, IntVec>> pairs;
-  for (std::int64_t d = 0; d < 64; ++d) pairs.push_back({{d, 32 - d, 1000}, {16 * d - 500, 16 * d, -1000}});
-  Extreme extreme = dots(pairs);
+  for (std::int64_t d = 0; d < 64; ++d)
+    pairs.push_back({scaled(config, {d, 32 - d, 1000}), scaled(config, {16 * d - 500, 16 * d, -1000})});
+  Extreme extreme = dots(config, pairs);
   extreme.bound = 0;
   return extreme;
 }
 
 // N = L in every direction: never above one, never wrapped to zero. Rounded unit vectors are as much as 1 ulp per
 // component short, so the sum may fall short of one; against the vectors themselves it is within half an LSB.
-Extreme aligned() {
+Extreme aligned(const Config& config) {
   std::vector<std::pair<IntVec, IntVec>> pairs;
   std::mt19937 random(34);
-  std::uniform_int_distribution<std::int64_t> component(-2047, 2047);
+  std::uniform_int_distribution<std::int64_t> component(1 - 2 * vector_one(config), 2 * vector_one(config) - 1);
   for (int i = 0; i < 3000; ++i) {
     const IntVec v{component(random), component(random), component(random)};
     pairs.push_back({v, v});
   }
-  pairs.push_back({{0, 0, 2047}, {0, 0, 1}});
-  return dots(pairs);
+  pairs.push_back({{0, 0, 2 * vector_one(config) - 1}, {0, 0, 1}});
+  return dots(config, pairs);
 }
 
-// Every exponent, N.H from 0 to 1. Squaring doubles the error before it and adds half an LSB: (2^K - 1) / 2 after K.
-Extreme powers() {
-  const Config config = stress_config();
+// e_k+1 = 2 e_k + e_k^2 2^-PF + 1/2, from no error at all: what N.H^n is off by, N.H as it was rounded.
+double power_bound(const Config& config) {
+  double error = 0;
+  for (int k = 0; k < config.specular_squarings; ++k)
+    error = 2 * error + std::ldexp(error * error, -config.power_bits) + 0.5;
+  return error;
+}
+
+// Every exponent, N.H from 0 to 1 - 2^-F and 1.
+Extreme powers(const Config& config) {
   Extreme extreme;
   extreme.unit = "LSB of u1.PF";
-  extreme.bound = 0.5 * ((1 << config.specular_squarings) - 1);
+  extreme.bound = power_bound(config);
   Stimulus stimulus(config);
   std::vector<int> exponents{0};
   for (int k = 0; k <= config.specular_squarings; ++k) exponents.push_back(1 << k);
   constexpr int kSteps = 200;
+  const std::int64_t one = vector_one(config);
+  // z just short of 1: rounds to 1 - 2^-F.
+  const std::int64_t beside = std::llround(double(one) * std::sqrt(std::ldexp(2.0, -config.unit_bits)));
   for (int exponent : exponents) {
     DrawState state;
     state.material.exponent = exponent;
     stimulus.add_draw(state);
-    for (int i = 0; i <= kSteps; ++i) {
-      // The last two: N.H = 1, and the largest that is less.
-      const std::int64_t across = i == kSteps ? 0 : i == kSteps - 1 ? 90 : 1024 - 5 * i;
-      stimulus.add_vectors({0, 0, 1024}, {0, 0, 1024}, {across, 0, 5 * i});
+    for (std::int64_t i = 0; i <= kSteps; ++i) {
+      IntVec h{one * (kSteps - i) / kSteps, 0, one * i / kSteps};
+      if (i == kSteps - 1) h = {beside, 0, one};
+      stimulus.add_vectors({0, 0, one}, {0, 0, one}, h);
     }
   }
   const auto fragments = stimulus.golden();
-  const double one = std::ldexp(1.0, config.power_bits);
+  const double unit = std::ldexp(1.0, config.power_bits);
   for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const int exponent = exponents[i / (kSteps + 1)];
+    const int exponent = exponents[i / (kSteps + 1)], step = int(i % (kSteps + 1));
     const double nh = stimulus.real(fragments[i], "light", "nh");
-    extreme.measure(one * std::abs(stimulus.real(fragments[i], "light", "specular") - std::pow(nh, exponent)),
+    if (step >= kSteps - 1) {
+      const double expected = step == kSteps ? 1 : 1 - std::ldexp(1.0, -config.unit_bits);
+      extreme.measure(nh == expected ? 0 : 1e9, fmt::format("N.H = {}", nh));
+    }
+    extreme.measure(unit * std::abs(stimulus.real(fragments[i], "light", "specular") - std::pow(nh, exponent)),
                     fmt::format("{}^{}", nh, exponent));
   }
   extreme.stimuli.push_back(std::move(stimulus));
@@ -115,7 +137,7 @@ void measure_colour(Extreme& extreme, const Stimulus& stimulus, const Material& 
     const double a[] = {material.ambient.x, material.ambient.y, material.ambient.z};
     const double d[] = {material.diffuse.x, material.diffuse.y, material.diffuse.z};
     const double s[] = {material.specular.x, material.specular.y, material.specular.z};
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < std::size_t(stimulus.config().channel_count()); ++c) {
       const double sum = quantised(a[c]) + quantised(d[c]) * diffuse + quantised(s[c]) * specular;
       const double code = double(f[stimulus.index("output", "colour")][c]);
       extreme.measure(std::abs(code - top * std::min(sum, 1.0)), fmt::format("sum {}", sum));
@@ -123,19 +145,20 @@ void measure_colour(Extreme& extreme, const Stimulus& stimulus, const Material& 
   }
 }
 
-Extreme saturating() {
+Extreme saturating(const Config& config) {
   Extreme extreme;
   extreme.unit = "colour codes";
   extreme.bound = 0.5;
   for (const Material& material :
        {Material{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, 1}, Material{{1, 0, 0.5}, {0.5, 1, 0}, {0, 0.25, 1}, 4},
         Material{{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, 1}, Material{}}) {
-    Stimulus stimulus(stress_config());
+    Stimulus stimulus(config);
     DrawState state;
     state.material = material;
     stimulus.add_draw(state);
     for (std::int64_t i = -20; i <= 100; ++i)
-      stimulus.add_vectors({0, 0, 1024}, {1024 - 10 * i, 3, 10 * i}, {900 - 9 * i, 3, 10 * i});
+      stimulus.add_vectors(scaled(config, {0, 0, 1024}), scaled(config, {1024 - 10 * i, 4, 10 * i}),
+                           scaled(config, {900 - 9 * i, 4, 10 * i}));
     measure_colour(extreme, stimulus, material);
     extreme.stimuli.push_back(std::move(stimulus));
   }
@@ -143,18 +166,19 @@ Extreme saturating() {
 }
 
 // L = 0, as at a vertex where the light is: flag, no diffuse, no specular, the ambient colour. Constant L beside it.
-Extreme light_at_vertex() {
+Extreme light_at_vertex(const Config& config) {
   Extreme extreme;
   extreme.unit = "fragments";
-  Stimulus stimulus(stress_config());
+  Stimulus stimulus(config);
   stimulus.add_draw({});
-  stimulus.add_vectors({0, 0, 1024}, {0, 0, 0}, {0, 0, 1024});
-  stimulus.add_vectors({0, 0, 1024}, {0, 0, 1}, {0, 0, 1024});
+  const std::int64_t one = vector_one(config);
+  stimulus.add_vectors({0, 0, one}, {0, 0, 0}, {0, 0, one});
+  stimulus.add_vectors({0, 0, one}, {0, 0, 1}, {0, 0, one});
   TriangleWords infinity = stimulus.row(0, 4, 50);
-  stimulus.set(infinity, Component::kNz, 1024);
-  stimulus.set(infinity, Component::kLx, 600);
-  stimulus.set(infinity, Component::kLz, 800);
-  stimulus.set(infinity, Component::kHz, 1024);
+  stimulus.set(infinity, Component::kNz, one);
+  stimulus.set(infinity, Component::kLx, one * 3 / 5);
+  stimulus.set(infinity, Component::kLz, one * 4 / 5);
+  stimulus.set(infinity, Component::kHz, one);
   stimulus.add(infinity);
   const auto fragments = stimulus.golden();
   const std::size_t zero = stimulus.index("normalize", "zero"), diffuse = stimulus.index("light", "diffuse");

@@ -86,16 +86,24 @@ int Stimulus::add(const ScreenTriangle& triangle, int width, int height) {
   return int(packets.size());
 }
 
-std::vector<FragmentValues> Stimulus::golden(std::vector<std::uint32_t>& owners) const {
-  std::vector<FragmentValues> all;
-  owners.clear();
+void Stimulus::each_golden(const std::function<void(const FragmentValues&, std::uint32_t owner)>& visit) const {
+  FragmentValues values;
   const auto keep = [&](const auto& batch) {
     for (int i = 0; i < batch.count; ++i) {
-      extract(batch, i, all.emplace_back());
-      owners.push_back(stream_.packet_triangle[batch.packet[std::size_t(i)]]);
+      extract(batch, i, values);
+      visit(values, stream_.packet_triangle[batch.packet[std::size_t(i)]]);
     }
   };
   Golden(config_, textures_).draw(stream_.words, {keep, keep});
+}
+
+std::vector<FragmentValues> Stimulus::golden(std::vector<std::uint32_t>& owners) const {
+  std::vector<FragmentValues> all;
+  owners.clear();
+  each_golden([&](const FragmentValues& values, std::uint32_t owner) {
+    all.push_back(values);
+    owners.push_back(owner);
+  });
   return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -40,7 +41,8 @@ class Stimulus {
   const PacketStream& stream() const { return stream_; }
   const std::vector<Texture>& textures() const { return textures_; }
 
-  // Every value of every fragment, by the golden model.
+  // Every value of every fragment, by the golden model, one after the other with the number of its add().
+  void each_golden(const std::function<void(const FragmentValues&, std::uint32_t owner)>& visit) const;
   std::vector<FragmentValues> golden() const;
   // As golden(), and with each fragment the number of the add() it belongs to.
   std::vector<FragmentValues> golden(std::vector<std::uint32_t>& owners) const;

@@ -1,4 +1,4 @@
-// Entries 21 and 39 to 47: texture addresses and filters against a filter in real numbers; the perspective division.
+// Entries 21, 39 to 45 and 47: texture addresses and filters against a filter in real numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,21 +10,44 @@
 namespace wrinkle {
 namespace {
 
-Texture random_texture(int log2_size, int levels, unsigned seed) {
-  std::mt19937 random(seed);
-  Texture texture{.log2_width = log2_size, .log2_height = log2_size};
+// Texel words of the configuration: T bits a component, base colour where it has one.
+Texture empty_texture(const Config& config, int log2_size) {
+  return {.log2_width = log2_size,
+          .log2_height = log2_size,
+          .components = config.texel_components(),
+          .component_bits = config.texel_bits};
+}
+
+Texture random_texture(const Config& config, int log2_size, int levels, unsigned seed) {
+  std::mt19937_64 random(seed);
+  Texture texture = empty_texture(config, log2_size);
+  const std::uint64_t mask = (std::uint64_t{1} << (texture.components * texture.component_bits)) - 1;
   for (int level = 0; level < levels; ++level) {
     auto& texels = texture.levels.emplace_back(std::size_t(texture.width(level)) * std::size_t(texture.height(level)));
-    for (auto& texel : texels) texel = random() & 0xffffff;
+    for (auto& texel : texels) texel = random() & mask;
   }
   return texture;
 }
 
-Texture texture_of(int log2_size, std::vector<std::vector<std::uint64_t>> levels) {
-  return {.log2_width = log2_size, .log2_height = log2_size, .levels = std::move(levels)};
+Texture texture_of(const Config& config, int log2_size, std::vector<std::vector<std::uint64_t>> levels) {
+  Texture texture = empty_texture(config, log2_size);
+  texture.levels = std::move(levels);
+  return texture;
 }
 
-std::uint64_t grey(std::uint64_t code) { return code | code << 8 | code << 16; }
+// The same code in all three components of the normal.
+std::uint64_t grey(const Config& config, std::uint64_t code) {
+  return code | code << config.texel_bits | code << (2 * config.texel_bits);
+}
+
+// A texel and the one that is its opposite under `range`, 2c - (2^T - 1).
+std::uint64_t some_texel(const Config& config) {
+  const std::uint64_t most = (std::uint64_t{1} << config.texel_bits) - 1;
+  return most | (most * 7 / 8) << config.texel_bits | (most / 8) << (2 * config.texel_bits);
+}
+std::uint64_t opposed_texel(const Config& config) {
+  return some_texel(config) ^ ((std::uint64_t{1} << (3 * config.texel_bits)) - 1);
+}
 
 int wrapped(Wrap wrap, int i, int size) {
   if (wrap == Wrap::kClamp) return std::clamp(i, 0, size - 1);
@@ -39,7 +62,9 @@ double bilinear(const Texture& texture, Wrap wrap, int level, double u, double v
   const int i = int(std::floor(x)), j = int(std::floor(y));
   const auto code = [&](int a, int b) {
     const std::size_t at = std::size_t(wrapped(wrap, b, h)) * std::size_t(w) + std::size_t(wrapped(wrap, a, w));
-    return double((texture.levels[std::size_t(level)][at] >> (8 * component)) & 255);
+    const std::uint64_t texel =
+        texture.levels[std::size_t(level)][at] >> (std::size_t(texture.component_bits) * component);
+    return double(texel & ((std::uint64_t{1} << texture.component_bits) - 1));
   };
   const double fx = x - i, fy = y - j;
   return (1 - fy) * ((1 - fx) * code(i, j) + fx * code(i + 1, j)) +
@@ -53,25 +78,27 @@ double filtered(const Texture& texture, Wrap wrap, double u, double v, double lo
   const double f = level - a;
   const double code =
       (1 - f) * bilinear(texture, wrap, a, u, v, component) + f * bilinear(texture, wrap, b, u, v, component);
-  return (2 * code - 255) / 256;
+  return std::ldexp(2 * code + 1, -texture.component_bits) - 1;
 }
 
-// Coordinates that the weights hold exactly leave only the rounding to s1.V; else a weight is off by half a step.
+// Half an LSB of rounding to s1.V, and 2^(1-B) of full scale where weights are rounded. docs/numerics.md, "texture".
 double filter_bound(const Config& config, bool exact_weights) {
-  return 0.5 +
-         (exact_weights ? 0 : 2 * 255.0 * std::ldexp(1.0, config.vector_bits - config.texel_bits - config.weight_bits));
+  return 0.5 + (exact_weights ? 0 : std::ldexp(1.0, config.vector_bits + 1 - config.weight_bits));
 }
+
+// One level of detail in LSB.
+int lod_one(const Config& config) { return 1 << config.lod_fraction_bits(); }
 
 struct Probe {
   std::int64_t u, v;  // LSB of u
-  int lod;            // in 1/2^LB
+  int lod;            // LSB of 4.LB
 };
 
 struct TextureTest {
   Extreme extreme;
-  Stimulus stimulus{stress_config()};
+  Stimulus stimulus;
 
-  explicit TextureTest(double bound) {
+  TextureTest(const Config& config, double bound) : stimulus(stress_affine(config)) {
     extreme.unit = "LSB of s1.V";
     extreme.bound = bound;
   }
@@ -87,8 +114,8 @@ struct TextureTest {
       TriangleWords words = stimulus.row(int(drawn_.size()) % 1024, int(drawn_.size()) / 1024);
       stimulus.set(words, Component::kU, probe.u);
       stimulus.set(words, Component::kV, probe.v);
-      stimulus.set(words, Component::kLz, 1024);
-      stimulus.set(words, Component::kHz, 1024);
+      stimulus.set(words, Component::kLz, vector_one(stimulus.config()));
+      stimulus.set(words, Component::kHz, vector_one(stimulus.config()));
       words.lod = probe.lod;
       stimulus.add(words);
       drawn_.push_back({state.texture, wrap, probe});
@@ -101,9 +128,9 @@ struct TextureTest {
     for (std::size_t i = 0; i < fragments.size(); ++i) {
       const auto& [texture, wrap, probe] = drawn_[i];
       for (std::size_t e = 0; e < 3; ++e) {
-        const double expected =
-            filtered(stimulus.textures()[std::size_t(texture)], wrap, std::ldexp(double(probe.u), -config.uv_bits),
-                     std::ldexp(double(probe.v), -config.uv_bits), std::ldexp(probe.lod, -config.lod_bits), e);
+        const double expected = filtered(
+            stimulus.textures()[std::size_t(texture)], wrap, std::ldexp(double(probe.u), -config.uv_bits),
+            std::ldexp(double(probe.v), -config.uv_bits), std::ldexp(probe.lod, -config.lod_fraction_bits()), e);
         const double got = stimulus.real(fragments[i], "texture", "n", e);
         extreme.measure(std::ldexp(std::abs(got - expected), config.vector_bits),
                         fmt::format("u {} v {} lod {} wrap {}", probe.u, probe.v, probe.lod, int(wrap)));
@@ -124,35 +151,35 @@ struct TextureTest {
 };
 
 constexpr Wrap kWraps[] = {Wrap::kRepeat, Wrap::kClamp, Wrap::kMirror};
-constexpr std::int64_t kOne = 1 << 18;  // one repeat, in LSB of u at `standard`
 
-Extreme wrap_borders() {
-  TextureTest test(filter_bound(stress_config(), false));
-  const Texture texture = random_texture(5, 6, 39);
-  const std::int64_t texel = kOne / 32;
+Extreme wrap_borders(const Config& config) {
+  const std::int64_t one = repeat_one(config);
+  TextureTest test(config, filter_bound(config, false));
+  const Texture texture = random_texture(config, 5, 6, 39);
+  const std::int64_t texel = one / 32;
   std::vector<Probe> probes;
-  for (std::int64_t border :
-       {std::int64_t{0}, kOne - texel, kOne, -kOne, 2 * kOne, -texel, texel / 2, kOne - texel / 2})
+  for (std::int64_t border : {std::int64_t{0}, one - texel, one, -one, 2 * one, -texel, texel / 2, one - texel / 2})
     for (std::int64_t step : {-1, 0, 1})
-      for (int lod : {0, 32, 80, 160}) probes.push_back({border + step, (border - step) / 2, lod});
+      for (int lod : {0, lod_one(config), lod_one(config) * 5 / 2, 5 * lod_one(config)})
+        probes.push_back({border + step, (border - step) / 2, lod});
   for (Wrap wrap : kWraps) test.add(texture, wrap, probes);
   return test.finish();
 }
 
-// The address uses the low bits alone: every repeat gives what the one about zero gives.
-Extreme repeats() {
+// The address uses the low bits alone: every repeat the format of u holds gives what the one about zero gives.
+Extreme repeats(const Config& config) {
   Extreme extreme;
   extreme.unit = "LSB of s1.V";
-  const std::int64_t end = std::int64_t{1} << (stress_config().uv_integer_bits - 1);
-  TextureTest test(0);
+  const std::int64_t one = repeat_one(config), end = std::int64_t{1} << (config.uv_integer_bits - 1);
+  TextureTest test(config, 0);
   std::vector<Probe> probes;
   std::mt19937 random(40);
   for (int i = 0; i < 20; ++i) {
-    const std::int64_t u = random() % kOne, v = random() % kOne;
+    const std::int64_t u = random() % one, v = random() % one;
     for (std::int64_t k : {std::int64_t{0}, -end, end - 1, -end + 1})
-      probes.push_back({u + k * kOne, v - (k + 1) * kOne, int(i % 3) * 48});
+      probes.push_back({u + k * one, v - (k + 1) * one, i % 3 * lod_one(config) * 3 / 2});
   }
-  test.add(random_texture(5, 6, 41), Wrap::kRepeat, probes);
+  test.add(random_texture(config, 5, 6, 41), Wrap::kRepeat, probes);
   const auto fragments = test.stimulus.golden();
   const std::size_t n = test.stimulus.index("texture", "n");
   for (std::size_t i = 0; i < fragments.size(); ++i)
@@ -162,43 +189,81 @@ Extreme repeats() {
   return extreme;
 }
 
-Extreme smallest() {
-  TextureTest test(filter_bound(stress_config(), false));
+// 2^15 repeats fit no format (UI <= 10): set-up takes whole repeats off, and what is drawn is what is drawn about zero.
+Extreme far_repeats(const Config& config) {
+  Extreme extreme;
+  extreme.unit = "fragments";
+  std::vector<FragmentValues> near;
+  for (double shift : {0.0, 32768.0, -32768.0}) {
+    Stimulus stimulus(config);
+    DrawState state;
+    state.bump = state.textured = true;
+    state.texture = stimulus.add_texture(random_texture(config, 5, 6, 48));
+    stimulus.add_draw(state);
+    ScreenTriangle triangle = screen_triangle({{{100, 90}, {8000, 700}, {300, 7900}}}, {});
+    const Vec2 uv[] = {{0.125, 0.25}, {1.5, 0.375}, {0.25, 1.75}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle.v[i].N = triangle.v[i].L = triangle.v[i].H = {0, 0, 1};
+      triangle.v[i].uv = {uv[i].x + shift, uv[i].y - shift};
+    }
+    stimulus.add(triangle, 32, 32);
+    const auto fragments = stimulus.golden();
+    if (shift == 0) near = fragments;
+    extreme.measure(std::abs(double(fragments.size()) - double(near.size())), "number of fragments");
+    for (std::size_t i = 0; i < std::min(fragments.size(), near.size()); ++i)
+      extreme.measure(fragments[i] != near[i], fmt::format("fragment {}, {} repeats away", i, shift));
+    extreme.stimuli.push_back(std::move(stimulus));
+  }
+  return extreme;
+}
+
+Extreme smallest(const Config& config) {
+  TextureTest test(config, filter_bound(config, false));
+  const std::int64_t one = repeat_one(config);
+  const int level = lod_one(config);
   std::vector<Probe> probes;
-  for (std::int64_t u : {-3 * kOne, -kOne / 3, std::int64_t{-1}, std::int64_t{0}, kOne / 2, kOne - 1, 3 * kOne + 7})
-    for (int lod : {0, 31, 32, 511}) probes.push_back({u, kOne - u, lod});
+  for (std::int64_t u : {-3 * one, -one / 3, std::int64_t{-1}, std::int64_t{0}, one / 2, one - 1, 3 * one + 7})
+    for (int lod : {0, level - 1, level, 16 * level - 1}) probes.push_back({u, one - u, lod});
   for (Wrap wrap : kWraps) {
-    test.add(random_texture(0, 1, 41), wrap, probes);
-    test.add(random_texture(5, 6, 42), wrap, {{kOne / 7, kOne / 3, 160}, {-kOne / 7, kOne / 3, 511}});
+    test.add(random_texture(config, 0, 1, 41), wrap, probes);
+    test.add(random_texture(config, 5, 6, 42), wrap,
+             {{one / 7, one / 3, 5 * level}, {-one / 7, one / 3, 16 * level - 1}});
   }
   return test.finish();
 }
 
 // Weights sum to exactly one: a constant texture comes back exactly, at every fraction.
-Extreme constant() {
-  TextureTest test(0);
+Extreme constant(const Config& config) {
+  TextureTest test(config, 0);
+  const std::int64_t one = repeat_one(config);
   std::vector<Probe> probes;
-  for (int i = 0; i < 300; ++i) probes.push_back({kOne / 32 * 5 + i * 32 - 32, kOne / 16 + i * 7, i % 160});
-  for (std::uint64_t code : {0, 1, 128, 255}) {
+  for (int i = 0; i < 300; ++i)
+    probes.push_back({one / 32 * 5 + one * (i - 1) / 8192, one / 16 + i * 7, i % (5 * lod_one(config))});
+  const std::uint64_t most = (std::uint64_t{1} << config.texel_bits) - 1;
+  for (std::uint64_t code : {std::uint64_t{0}, std::uint64_t{1}, most / 2 + 1, most}) {
     std::vector<std::vector<std::uint64_t>> levels;
-    for (int level = 0; level <= 5; ++level) levels.emplace_back(std::size_t(1) << (2 * (5 - level)), grey(code));
-    test.add(texture_of(5, levels), Wrap::kRepeat, probes);
+    for (int level = 0; level <= 5; ++level)
+      levels.emplace_back(std::size_t(1) << (2 * (5 - level)), grey(config, code));
+    test.add(texture_of(config, 5, levels), Wrap::kRepeat, probes);
   }
   return test.finish();
 }
 
-Extreme lod_ends() {
-  TextureTest test(filter_bound(stress_config(), true));
+// u and v are on the weights' own grid at every level, so that only the rounding to s1.V is left.
+Extreme lod_ends(const Config& config) {
+  TextureTest test(config, filter_bound(config, true));
+  const std::int64_t one = repeat_one(config);
+  const int level = lod_one(config);
   std::vector<Probe> probes;
-  for (int lod = 0; lod < 512; ++lod)
-    if (lod % 32 <= 1 || lod % 32 == 31) probes.push_back({kOne / 32 * 3, kOne / 32 * 9, lod});
-  for (Wrap wrap : kWraps) test.add(random_texture(5, 6, 43), wrap, probes);
+  for (int lod = 0; lod < 16 * level; ++lod)
+    if (lod % level <= 1 || lod % level == level - 1) probes.push_back({one / 8 * 3, one / 8 * 5, lod});
+  for (Wrap wrap : kWraps) test.add(random_texture(config, 5, 6, 43), wrap, probes);
   return test.finish();
 }
 
 // n = exactly zero at the fragment: the flag, as in entry 19.
-Extreme zero_normals(const Texture& texture, const std::vector<Probe>& probes) {
-  TextureTest test(0);
+Extreme zero_normals(const Config& config, const Texture& texture, const std::vector<Probe>& probes) {
+  TextureTest test(config, 0);
   test.add(texture, Wrap::kRepeat, probes);
   const auto fragments = test.stimulus.golden();
   const std::size_t zero = test.stimulus.index("normalize", "zero"), diffuse = test.stimulus.index("light", "diffuse");
@@ -207,89 +272,54 @@ Extreme zero_normals(const Texture& texture, const std::vector<Probe>& probes) {
   return test.finish();
 }
 
-Extreme opposed_levels() {
-  std::vector<std::vector<std::uint64_t>> levels{
-      std::vector<std::uint64_t>(16, 0x20e0ff), std::vector<std::uint64_t>(4, 0xdf1f00), {0x20e0ff}};
-  return zero_normals(texture_of(2, levels), {{0, 0, 16}, {kOne / 3, kOne / 5, 48}, {-5, 17, 16}});
+Extreme opposed_levels(const Config& config) {
+  if (!config.trilinear()) return {.unreachable = "one level at a time without trilinear filtering"};
+  const std::uint64_t one_way = some_texel(config), other = opposed_texel(config);
+  const std::int64_t one = repeat_one(config);
+  const int half = lod_one(config) / 2;
+  return zero_normals(
+      config,
+      texture_of(config, 2, {std::vector<std::uint64_t>(16, one_way), std::vector<std::uint64_t>(4, other), {one_way}}),
+      {{0, 0, half}, {one / 3, one / 5, 3 * half}, {-5, 17, half}});
 }
 
-Extreme checker() {
+Extreme checker(const Config& config) {
+  const std::int64_t one = repeat_one(config);
   std::vector<std::uint64_t> texels;
-  for (int i = 0; i < 16; ++i) texels.push_back((i + i / 4) % 2 == 0 ? 0x20e0ff : 0xdf1f00);
+  for (int i = 0; i < 16; ++i) texels.push_back((i + i / 4) % 2 == 0 ? some_texel(config) : opposed_texel(config));
   // Corners of texels: all four weights alike.
-  return zero_normals(texture_of(2, {texels}),
-                      {{0, 0, 0}, {kOne / 4, kOne / 2, 0}, {-kOne / 4, kOne, 0}, {kOne / 2, -kOne / 4, 0}});
+  return zero_normals(config, texture_of(config, 2, {texels}),
+                      {{0, 0, 0}, {one / 4, one / 2, 0}, {-one / 4, one, 0}, {one / 2, -one / 4, 0}});
 }
 
-// (127, 128) codes average to zero; the code itself cannot be zero with `range`.
-Extreme zero_texel() {
-  return zero_normals(texture_of(1, {{grey(127), grey(128), grey(127), grey(128)}}),
-                      {{kOne / 2, 0, 0}, {0, 3, 0}, {kOne, kOne / 4, 0}});
-}
-
-// u = uq / q over all of q: half an LSB, and the relative error of the reciprocal, 2^-R.
-Extreme perspective_range() {
-  Extreme extreme;
-  extreme.unit = "LSB of u";
-  const Config config = stress_config_perspective();
-  const double reach = std::ldexp(1.0, config.uv_integer_bits - 1);
-  extreme.bound = 0.5 + reach * std::ldexp(1.0, config.uv_bits - config.reciprocal_bits);
-  Stimulus stimulus(config);
-  DrawState state;
-  state.bump = state.textured = true;
-  state.texture = stimulus.add_texture(random_texture(5, 6, 46));
-  stimulus.add_draw(state);
-  std::mt19937 random(46);
-  std::vector<std::pair<double, double>> expected;
-  const std::int64_t top = std::int64_t{1} << config.q_bits;
-  const auto add = [&](std::int64_t q, double u) {
-    const std::int64_t uq = std::llround(u * std::ldexp(double(q), config.uv_bits - config.q_bits));
-    const double exact = double(uq) / (double(q) / double(top));
-    if (std::abs(exact) >= std::ldexp(reach, config.uv_bits) - 16) return;
-    TriangleWords words = stimulus.row(int(expected.size()) % 1024, int(expected.size()) / 1024);
-    stimulus.set(words, Component::kU, uq);
-    stimulus.set(words, Component::kV, -uq);
-    stimulus.set(words, Component::kQ, q);
-    stimulus.add(words);
-    expected.push_back({exact, -exact});
-  };
-  for (int bit = 0; bit <= config.q_bits; ++bit)
-    for (std::int64_t d : {-1, 0, 1})
-      for (double u : {-7.9, -1.0, 0.0, 0.3, 7.9}) {
-        const std::int64_t q = (std::int64_t{1} << bit) + d;
-        if (q >= 1 && q < top) add(q, u);
-      }
-  for (int i = 0; i < 2000; ++i)
-    add(1 + std::int64_t(random() % unsigned(top - 1)), -8 + 16 * std::ldexp(double(random()), -32));
-  const auto fragments = stimulus.golden();
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    extreme.measure(std::abs(double(fragments[i][stimulus.index("perspective", "u")][0]) - expected[i].first),
-                    fmt::format("u {}", expected[i].first));
-    extreme.measure(std::abs(double(fragments[i][stimulus.index("perspective", "v")][0]) - expected[i].second),
-                    fmt::format("v {}", expected[i].second));
-  }
-  extreme.stimuli.push_back(std::move(stimulus));
-  return extreme;
+// The two codes beside the middle average to zero; no code is zero itself under `range`.
+Extreme zero_texel(const Config& config) {
+  const std::int64_t one = repeat_one(config);
+  const std::uint64_t above = std::uint64_t{1} << (config.texel_bits - 1);
+  const std::uint64_t a = grey(config, above - 1), b = grey(config, above);
+  return zero_normals(config, texture_of(config, 1, {{a, b, a, b}}), {{one / 2, 0, 0}, {0, 3, 0}, {one, one / 4, 0}});
 }
 
 // Levels of detail at and beyond both ends of s5.LB: level 0 below, the last level above, without wrapping.
-Extreme divergence() {
-  const Config config = stress_config_perspective();
+Extreme divergence(const Config& named) {
+  const Config config = stress_perspective(named);
   Extreme extreme;
   extreme.unit = "LSB of s1.V";
   extreme.bound = filter_bound(config, false);
   Stimulus stimulus(config);
   DrawState state;
   state.bump = state.textured = true;
-  const Texture texture = random_texture(5, 6, 47);
+  const Texture texture = random_texture(config, 5, 6, 47);
   state.texture = stimulus.add_texture(texture);
   stimulus.add_draw(state);
-  const std::int64_t end = std::int64_t{1} << (5 + config.lod_bits);
-  const std::vector<std::int64_t> lods{-end, -end + 1, -33, -1, 0, 1, 31, 159, 160, 161, 511, 512, end - 1};
+  const std::int64_t one = repeat_one(config), level = lod_one(config), end = 32 * level;
+  const std::vector<std::int64_t> lods{
+      -end,      -end + 1,      -level - 1,     -1,         0,      1, level - 1, 5 * level - 1,
+      5 * level, 5 * level + 1, 16 * level - 1, 16 * level, end - 1};
   for (std::size_t i = 0; i < lods.size(); ++i) {
     TriangleWords words = stimulus.row(int(i), 0);
-    stimulus.set(words, Component::kU, kOne / 5);
-    stimulus.set(words, Component::kV, kOne / 3);
+    stimulus.set(words, Component::kU, one / 5);
+    stimulus.set(words, Component::kV, one / 3);
     stimulus.set(words, Component::kQ, 3 << (config.q_bits - 2));
     stimulus.set(words, Component::kLod, lods[i]);
     stimulus.add(words);
@@ -300,7 +330,7 @@ Extreme divergence() {
       const FragmentValues& f = fragments[i];
       const double expected =
           filtered(texture, Wrap::kRepeat, stimulus.real(f, "perspective", "u"), stimulus.real(f, "perspective", "v"),
-                   std::ldexp(double(lods[i]), -config.lod_bits), e);
+                   std::ldexp(double(lods[i]), -config.lod_fraction_bits()), e);
       extreme.measure(std::ldexp(std::abs(stimulus.real(f, "texture", "n", e) - expected), config.vector_bits),
                       fmt::format("lod {}", lods[i]));
     }
@@ -314,12 +344,12 @@ std::vector<ExtremeEntry> texture_extremes() {
   return {{21, "zero vector from the texture", "", zero_texel},
           {39, "u, v at -1 LSB, 0, the last texel, the size", "", wrap_borders},
           {40, "repeats to the ends of u", "", repeats},
+          {40, "repeats +-2^15, through set-up", "", far_repeats},
           {41, "texture of 1 by 1, smallest level", "", smallest},
           {42, "weights sum to one: constant texture", "", constant},
-          {43, "level of detail at whole numbers and past the end", "", lod_ends},
+          {43, "level of detail at whole numbers, past the end", "", lod_ends},
           {44, "two opposed levels: exact zero", "", opposed_levels},
           {45, "checker of opposed texels: exact zero", "", checker},
-          {46, "1/w from 2^-Q to 1", "", perspective_range},
           {47, "level of detail past both ends", "", divergence}};
 }
 

@@ -34,6 +34,9 @@ struct Planted {
   }
 };
 
+// The name of the test, in the lists of gtest.
+void PrintTo(const Planted& planted, std::ostream* out) { *out << planted.name; }
+
 const std::vector<Planted>& cases() {
   using Kind = Difference::Kind;
   static const std::vector<Planted> list = {
@@ -171,6 +174,21 @@ const std::vector<Planted>& cases() {
        "nl",
        Kind::kValue,
        "rotated"},
+      {"payload_changes_while_stalled",
+       "wrinkle_output.v",
+       {{"assign x_o    = tag_out[X-1:0];",
+         "reg turned;\n  always @(posedge clk) turned <= out_valid_o & ~out_ready_i & ~turned & ~rst;\n"
+         "  assign x_o = tag_out[X-1:0] ^ {{(X-1){1'b0}}, turned};"}},
+       "output",
+       "",
+       Kind::kHold},
+      // Its weight is zero, so that no fragment shows it.
+      {"texel_outside",
+       "lib/wrinkle_texture_address.v",
+       {{"b = below ? 4'd0 : beyond ? max_level_i :", "b = below ? 4'd0 : beyond ? 4'd15 :"}},
+       "texture",
+       "",
+       Kind::kRequest},
   };
   return list;
 }
@@ -224,6 +242,8 @@ TEST_P(PlantedSlow, IsFoundAndItsStageNamed) {
     EXPECT_NE(result.first->golden, result.first->rtl) << text;
   }
   EXPECT_EQ(result.first->kind, planted.kind) << text;
+  // A port is watched clock by clock, and knows no triangle.
+  if (planted.kind == Difference::Kind::kHold || planted.kind == Difference::Kind::kRequest) return;
   EXPECT_GE(result.first->triangle, 0) << text;
   EXPECT_GE(result.first->draw, 0) << text;
 }

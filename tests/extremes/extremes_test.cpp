@@ -1,23 +1,21 @@
-// The catalogue of numerical extremes, one test an entry, under its number: golden inside the stated bound, RTL equal.
+// The catalogue of numerical extremes, one test an entry and configuration, under its number: golden inside the stated
+// bound for every named configuration, RTL equal for `standard` and for the widest, whose models are built here.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
+#include "sim/config_file.h"
 #include "sim/stress/catalogue.h"
 #include "tb/bench.h"
 
 namespace wrinkle {
 namespace {
 
-class Extremes : public testing::TestWithParam<int> {};
+class Extremes : public testing::TestWithParam<std::tuple<std::string, std::size_t>> {};
 
-TEST_P(Extremes, GoldenInsideTheBoundAndRtlEqual) {
-  const ExtremeEntry& entry = extremes()[std::size_t(GetParam())];
-  if (!entry.run) GTEST_SKIP() << entry.title << ": not reachable, " << entry.unreachable;
-  const Extreme extreme = entry.run();
-  EXPECT_GT(extreme.cases, 0U);
-  EXPECT_LE(extreme.worst, extreme.bound) << extreme.unit << " at " << extreme.where;
+void expect_rtl_equal(const ExtremeEntry& entry, const Extreme& extreme) {
   for (std::size_t i = 0; i < extreme.stimuli.size(); ++i) {
     const Stimulus& stimulus = extreme.stimuli[i];
     BenchOptions options;
@@ -29,14 +27,34 @@ TEST_P(Extremes, GoldenInsideTheBoundAndRtlEqual) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Entry, Extremes, testing::Range(0, int(extremes().size())), [](const auto& instance) {
-  return fmt::format("Extreme{:02}", extremes()[std::size_t(instance.param)].number);
-});
+TEST_P(Extremes, GoldenInsideTheBoundAndRtlEqual) {
+  const auto& [name, index] = GetParam();
+  const ExtremeEntry& entry = extremes()[index];
+  if (entry.long_run) GTEST_SKIP() << entry.title << ": ./wrinkle stress --long";
+  if (!entry.run) GTEST_SKIP() << entry.title << ": not reachable, " << entry.unreachable;
+  const Extreme extreme = entry.run(load_config(name));
+  if (!extreme.unreachable.empty()) GTEST_SKIP() << entry.title << ": not reachable, " << extreme.unreachable;
+  EXPECT_GT(extreme.cases, 0U);
+  EXPECT_LE(extreme.worst, extreme.bound) << extreme.unit << " at " << extreme.where;
+  if (name == "standard" || name == "extreme") expect_rtl_equal(entry, extreme);
+}
 
-TEST(Catalogue, HasEveryNumberOnce) {
+std::string test_name(const testing::TestParamInfo<Extremes::ParamType>& test) {
+  const auto& [name, index] = test.param;
+  char nth = 'a';
+  for (std::size_t i = index; i > 0 && extremes()[i - 1].number == extremes()[index].number; --i) ++nth;
+  return fmt::format("Extreme{:02}{}_{}", extremes()[index].number, nth, name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Entry, Extremes,
+                         testing::Combine(testing::ValuesIn(named_configs()),
+                                          testing::Range(std::size_t{0}, extremes().size())),
+                         test_name);
+
+TEST(Catalogue, HasEveryNumber) {
   std::set<int> numbers;
   for (const ExtremeEntry& entry : extremes()) {
-    EXPECT_TRUE(numbers.insert(entry.number).second) << entry.number;
+    numbers.insert(entry.number);
     EXPECT_NE(bool(entry.run), !entry.unreachable.empty()) << entry.number;
   }
   for (int number = 1; number <= 48; ++number) EXPECT_TRUE(numbers.count(number)) << number;
