@@ -39,6 +39,18 @@ double number_after(const std::string& text, const std::string& word) {
   return std::stod(text.substr(position + word.size()));
 }
 
+std::string without_pads(const std::string& liberty) {
+  static const std::regex pad(R"re(\bcell\s*\(\s*"?PAD\w*"?\s*\)\s*\{)re");
+  std::string text;
+  auto from = liberty.cbegin();
+  for (std::smatch match; std::regex_search(from, liberty.cend(), match, pad);) {
+    text.append(from, match[0].first);
+    from = match[0].second;
+    for (int depth = 1; depth > 0 && from != liberty.cend(); ++from) depth += *from == '{' ? 1 : *from == '}' ? -1 : 0;
+  }
+  return text.append(from, liberty.cend());
+}
+
 int count_flip_flops(const std::map<std::string, int>& cells) {
   static const std::regex flip_flop("DFF.*|SB_DFF.*|TRELLIS_FF|FD[RSCP]E?");
   int count = 0;

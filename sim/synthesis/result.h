@@ -20,6 +20,9 @@ std::vector<Multiplier> read_multipliers(const std::filesystem::path& dump);
 // The number after `word` in a tool's output; throws SynthesisError when there is none.
 double number_after(const std::string& text, const std::string& word);
 
+// The text of a Liberty file without its pads: mapping takes them for buffers.
+std::string without_pads(const std::string& liberty);
+
 // Cells of an FPGA or of a standard cell library that hold a bit.
 int count_flip_flops(const std::map<std::string, int>& cells);
 

@@ -125,6 +125,8 @@ std::string run_script(const Job& job, const Arguments& tool, const std::string&
 }
 
 SynthesisResult cell_counts(const Job& job) {
+  if (job.is_standard_cells())
+    std::ofstream(job.folder / "gates.lib") << without_pads(read_text(liberty_path(job.library)));
   run_script(job, {"yosys", "-Q", "-s"}, job.main_script());
   SynthesisResult result;
   result.cells = read_cells(job.folder / "stat.json");

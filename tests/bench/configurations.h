@@ -86,16 +86,17 @@ inline Config spread_config(int index) {
   int turn = 0;
   for (const Parameter& parameter : parameters()) {
     const int range = parameter.maximum - parameter.minimum;
+    ++turn;
     if (!parameter.values.empty()) {
-      config.*parameter.member = (index + turn) % (range + 1);
-      turn += index / 2;
+      const int rank = (turn % 2 == 0 ? index + turn : kSpread - 1 - index + turn * turn) % kSpread;
+      config.*parameter.member = rank * (range + 1) / kSpread;
       continue;
     }
     // The widths that bound each other grow together; the others are dealt in turn.
     const bool bound = parameter.member == &Config::unit_bits || parameter.member == &Config::dot_bits ||
                        parameter.member == &Config::power_bits || parameter.member == &Config::q_bits ||
                        parameter.member == &Config::reciprocal_bits;
-    const int rank = bound ? index : (index + ++turn) % kSpread;
+    const int rank = bound ? index : (index + turn) % kSpread;
     config.*parameter.member = parameter.minimum + (range * rank + 2) / (kSpread - 1);
   }
   config.q_bits = std::min(config.q_bits, config.reciprocal_bits + 1);

@@ -129,6 +129,12 @@ TEST_F(Synthesis, AFailureNamesTheToolAndItsComplaint) {
   }
 }
 
+TEST(Liberty, PadsAreNoGates) {
+  const std::string pad = "  cell (PADINC) { area : 12000; pin(A) { direction : output; } }\n";
+  const std::string gate = "  cell (BUFX2) { area : 128; pin(A) { direction : input; } }\n";
+  EXPECT_EQ(without_pads("library(l) {\n" + pad + gate + pad + "}\n"), "library(l) {\n  \n" + gate + "  \n}\n");
+}
+
 TEST(Liberty, CellAreas) {
   const auto areas = liberty_areas(liberty_path(CellLibrary::kOsu035));
   EXPECT_EQ(areas.at("NAND2X1"), 96);

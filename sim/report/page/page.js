@@ -216,6 +216,9 @@ function drawSpeed() {
 }
 
 function start() {
+  // A run without synthesis or timing has no such sections.
+  element('claim').hidden = !figures.length;
+  element('speed').hidden = !data.speed;
   drawClaim();
   element('claim-given').addEventListener('input', drawClaim);
   const all = key => ['all', ...new Set(data.configs.map(c => c[key]))];
