@@ -83,7 +83,7 @@ void add_stress(CLI::App& app, Run& run) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("-c,--config", options->config, "Whose widths the stimuli are made for")
-      ->check(CLI::IsMember(named_configs()))
+      ->check(CLI::IsMember(stress_configs()))
       ->capture_default_str();
   command->add_flag("--long", options->long_run, "Also the picture of 4096 by 4096, 16.8 million fragments");
   command->add_flag("--golden-only", options->golden_only, "Leave the RTL out");

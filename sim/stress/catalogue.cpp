@@ -37,6 +37,11 @@ double drift_bound(const Config& config, int steps) {
   return 0.5 + (steps + 2) * std::ldexp(1.0, -(config.guard_bits + 1));
 }
 
+const std::vector<std::string>& stress_configs() {
+  static const std::vector<std::string> names{"lean", "standard", "perspective", "fine", "extreme"};
+  return names;
+}
+
 std::span<const ExtremeEntry> extremes() {
   static const std::vector<ExtremeEntry> all = [] {
     std::vector<ExtremeEntry> list;

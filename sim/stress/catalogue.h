@@ -40,6 +40,9 @@ struct ExtremeEntry {
 // and S = 8, as every named one has: positions are written in 1/256 pixel.
 std::span<const ExtremeEntry> extremes();
 
+// The named configurations the entries are made for: those of [Peercy97 fig. 3], from lean to extreme.
+const std::vector<std::string>& stress_configs();
+
 // What entries draw with besides the configuration itself: few, since each is a Verilated model.
 Config stress_wide(Config config);         // 4096 by 4096 pixels, no texture
 Config stress_perspective(Config config);  // u and v divided

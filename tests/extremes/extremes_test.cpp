@@ -47,7 +47,7 @@ std::string test_name(const testing::TestParamInfo<Extremes::ParamType>& test) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Entry, Extremes,
-                         testing::Combine(testing::ValuesIn(named_configs()),
+                         testing::Combine(testing::ValuesIn(stress_configs()),
                                           testing::Range(std::size_t{0}, extremes().size())),
                          test_name);
 
