@@ -15,6 +15,8 @@ enum class BlockExponent { kTriangle, kDraw };
 enum class LightVectorSource { kInterpolated, kConstant };
 enum class Lighting { kDiffuse, kHalfangle, kReflection, kPixelHalfangle };
 enum class Normalizer { kNone, kFaithful, kLite, kNear };
+enum class NormalizeOrder { kBefore, kAfter };
+enum class NormalizerSharing { kThree, kShared };
 enum class SelfShadow { kOff, kHard, kSmooth };
 enum class Filter { kNearest, kBilinear, kTrilinear };
 enum class Decode { kRange, kOffset };

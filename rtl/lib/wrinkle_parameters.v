@@ -11,6 +11,8 @@ module wrinkle_parameters #(
   parameter NORMALIZER_N       = 1,
   parameter NORMALIZER_L       = 1,
   parameter NORMALIZER_H       = 1,
+  parameter NORMALIZE_ORDER    = 0,
+  parameter NORMALIZER_SHARING = 0,
   parameter SELF_SHADOW        = 1,
   parameter FILTER             = 2,
   parameter DECODE             = 0,
@@ -63,6 +65,12 @@ module wrinkle_parameters #(
     end
     if (NORMALIZER_H < 0 || NORMALIZER_H > 3) begin : normalizer_h
       wrinkle_error_normalizer_h_is_not_0_to_3 error ();
+    end
+    if (NORMALIZE_ORDER < 0 || NORMALIZE_ORDER > 1) begin : normalize_order
+      wrinkle_error_normalize_order_is_not_0_to_1 error ();
+    end
+    if (NORMALIZER_SHARING < 0 || NORMALIZER_SHARING > 1) begin : normalizer_sharing
+      wrinkle_error_normalizer_sharing_is_not_0_to_1 error ();
     end
     if (SELF_SHADOW < 0 || SELF_SHADOW > 2) begin : self_shadow
       wrinkle_error_self_shadow_is_not_0_to_2 error ();

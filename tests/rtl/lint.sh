@@ -116,7 +116,6 @@ all_three "rotated, reflection, decal" DATAPATH=3 LIGHTING=2 DECAL=1 SELF_SHADOW
 all_three "rotated, half-angle at every pixel" DATAPATH=3 LIGHTING=3 SELF_SHADOW=0 PERSPECTIVE=1
 all_three "rotated, diffuse, no normalizer" DATAPATH=3 LIGHTING=0 NORMALIZER_L=0 DEPTH=0
 all_three "constant light" LIGHT_VECTORS=1
-all_three "lite and near normalizers" NORMALIZER_N=2 NORMALIZER_L=3 NORMALIZER_H=3
 all_three "constant light, diffuse" LIGHT_VECTORS=1 LIGHTING=0 DATAPATH=0
 all_three "constant light, reflection, perspective" LIGHT_VECTORS=1 LIGHTING=2 PERSPECTIVE=1 DECAL=1
 all_three "constant light, half-angle at every pixel" LIGHT_VECTORS=1 LIGHTING=3 NORMALIZER_N=0
