@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "golden/pixel/reciprocal.h"
-#include "golden/pixel/normalizer_geometry.h"
+#include "golden/pixel/rsqrt.h"
 
 namespace wrinkle {
 namespace {
@@ -77,10 +77,11 @@ int perturb_bits(const Config& c) {
 
 // One unit, for vectors in s1.V.
 int unit_bits_of(const Config& c, int vector_bits) {
-  const NormalizerGeometry g = normalizer_geometry(Normalizer::kFaithful, c.unit_bits, vector_bits);
-  const int sum = 2 * g.magnitude_bits + 3;
-  const int table = g.rsqrt.output_bits + g.rsqrt.guard_bits + 3 + g.rsqrt.offset_bits();
-  const int product = g.magnitude_bits + g.rsqrt.output_bits + 2;
+  const RsqrtGeometry& g = rsqrt_geometry(c.unit_bits);
+  const int magnitude = vector_bits + 1;
+  const int sum = std::max(2 * magnitude + 3, g.input_bits + 1);
+  const int table = g.output_bits + g.guard_bits + 2 + g.offset_bits();
+  const int product = magnitude + g.output_bits + 2;
   const int bypass = std::max(vector_bits, c.unit_bits) + 3;
   return std::max({sum, table, product, bypass});
 }
@@ -164,8 +165,7 @@ int widest_operand_bits(const Config& config) {
 
 int lane_bits(const Config& config) {
   // Factors that the pixel stages multiply as halves of a lane: m, r, and intensities up to 1.
-  const int magnitude = std::max(widest_unit_input_bits(config), config.unit_bits) + 1;
-  const int root = rsqrt_geometry(config.unit_bits).output_bits + 1;
+  const int magnitude = widest_unit_input_bits(config) + 1, root = rsqrt_geometry(config.unit_bits).output_bits + 1;
   const int intensity = config.power_bits + 1, colour = config.colour_bits + 1;
   const bool halves_fit = std::max({magnitude, root, intensity, colour}) <= 15;
   return widest_operand_bits(config) <= 32 && halves_fit ? 32 : 64;

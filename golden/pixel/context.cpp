@@ -7,19 +7,12 @@ namespace wrinkle {
 namespace {
 
 template <class Int>
-std::vector<Int> packed(const RsqrtGeometry& g) {
-  const std::int64_t leading = std::int64_t{1} << (g.output_bits + g.guard_bits);
-  std::vector<Int> table;
-  for (const Segment& s : rsqrt_table(g))
-    table.push_back(static_cast<Int>(((s.base - leading) << kSlopeBits) | s.slope));
-  table.resize(std::max(table.size(), kSmallTable));
-  return table;
-}
-
-template <class Int>
 void fill(const Context& context, Tables<Int>& tables) {
-  tables.rsqrt = packed<Int>(rsqrt_geometry(context.config.unit_bits));
-  tables.lite = packed<Int>(kLiteRsqrt);
+  const RsqrtGeometry& g = context.rsqrt;
+  const std::int64_t leading = std::int64_t{1} << (g.output_bits + g.guard_bits);
+  for (const Segment& s : rsqrt_table(g))
+    tables.rsqrt.push_back(static_cast<Int>(((s.base - leading) << kSlopeBits) | s.slope));
+  tables.rsqrt.resize(std::max(tables.rsqrt.size(), kSmallTable));
   if (context.config.perspective == 0) return;
   for (const Segment& s : reciprocal_table(context.reciprocal)) {
     tables.reciprocal_base.push_back(s.base);
@@ -35,6 +28,7 @@ Context make_context(const Config& config) {
   for (const ComponentFormat& format : component_formats(config))
     context.planes.push_back(
         {format.component, format.width, format.is_constant ? 0 : config.guard_bits, format.is_signed});
+  context.rsqrt = rsqrt_geometry(config.unit_bits);
   context.reciprocal = {config.q_bits, config.reciprocal_bits};
   fill(context, context.narrow);
   fill(context, context.wide);

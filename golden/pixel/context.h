@@ -8,8 +8,8 @@
 
 #include "golden/config.h"
 #include "golden/pixel/bound_texture.h"
-#include "golden/pixel/normalizer_geometry.h"
 #include "golden/pixel/reciprocal.h"
+#include "golden/pixel/rsqrt.h"
 #include "golden/triangle/packet.h"
 
 namespace wrinkle {
@@ -23,7 +23,7 @@ inline constexpr std::size_t kSmallTable = 32;
 // Tables in lanes of one width.
 template <class Int>
 struct Tables {
-  std::vector<Int> rsqrt, lite;  // (base - 2^(RB+g)) << kSlopeBits | slope
+  std::vector<Int> rsqrt;  // (base - 2^(RB+g)) << kSlopeBits | slope
   std::vector<Int> reciprocal_base, reciprocal_slope;
   std::array<Int, kLevels> level_offset{}, level_stride{};
 };
@@ -34,8 +34,9 @@ template <class Int>
 struct Constants {
   Config config;
   DrawWords draw;
+  RsqrtGeometry rsqrt;
   ReciprocalGeometry reciprocal;
-  const Int *rsqrt_table, *lite_table, *reciprocal_base, *reciprocal_slope, *level_offset, *level_stride;
+  const Int *rsqrt_table, *reciprocal_base, *reciprocal_slope, *level_offset, *level_stride;
 };
 
 // One interpolated component and its place in a lane.
@@ -50,6 +51,7 @@ struct Context {
   Config config;
   DrawWords draw;
   std::vector<Plane> planes;
+  RsqrtGeometry rsqrt;
   ReciprocalGeometry reciprocal;
   Tables<std::int32_t> narrow;
   Tables<std::int64_t> wide;
@@ -64,9 +66,9 @@ struct Context {
       tables = &wide;
     return {config,
             draw,
+            rsqrt,
             reciprocal,
             tables->rsqrt.data(),
-            tables->lite.data(),
             tables->reciprocal_base.data(),
             tables->reciprocal_slope.data(),
             tables->level_offset.data(),

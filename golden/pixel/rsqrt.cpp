@@ -19,47 +19,37 @@ std::uint64_t isqrt(std::uint64_t x) {
 
 namespace {
 
-std::int64_t root(const RsqrtGeometry& g, std::int64_t x, int half) {
-  const int exponent = 2 * (g.output_bits + g.guard_bits) + g.input_bits + 3 - half;
-  const auto quotient = (std::uint64_t{1} << exponent) / static_cast<std::uint64_t>(2 * x + 1);
+std::int64_t root(const RsqrtGeometry& g, std::int64_t t) {
+  const int exponent = 2 * (g.output_bits + g.guard_bits) + g.input_bits + 3;
+  const auto quotient = (std::uint64_t{1} << exponent) / static_cast<std::uint64_t>(2 * t + 1);
   return static_cast<std::int64_t>((isqrt(quotient) + 1) >> 1);
-}
-
-// The segment from x0 on.
-Segment segment(const RsqrtGeometry& g, std::int64_t x0, int half) {
-  const int n = g.offset_bits();
-  const std::int64_t width = std::int64_t{1} << n, r0 = root(g, x0, half);
-  std::int64_t base = r0, slope = 0;
-  if (n > 0) {
-    const std::int64_t rm = root(g, x0 + width / 2, half), r1 = root(g, x0 + width, half);
-    const std::int64_t rounding = g.guard_bits > 0 ? std::int64_t{1} << (g.guard_bits - 1) : 0;
-    slope = r0 - r1;
-    base = r1 + ((slope + width / 2) >> n) - ((r0 + r1 + 2 - 2 * rm) >> 2) + rounding + g.bias;
-  }
-  const std::int64_t largest = (std::int64_t{2} << (g.output_bits + g.guard_bits + n)) - 1;
-  base = std::min(base, (largest - slope * (width - 1)) >> n);
-  return {static_cast<std::int32_t>(base), static_cast<std::int32_t>(slope)};
 }
 
 }  // namespace
 
 std::vector<Segment> rsqrt_table(const RsqrtGeometry& g) {
   std::vector<Segment> table;
-  for (int half = 0; half < 2; ++half)
-    for (std::int64_t j = 0; j < std::int64_t{1} << g.segment_bits; ++j)
-      table.push_back(segment(g, (std::int64_t{1} << (g.input_bits - 2)) + (j << g.offset_bits()), half));
+  for (int half = 0; half < 2; ++half) {
+    const std::int64_t step = std::int64_t{1} << (g.input_bits - 2 - g.segment_bits + half);
+    for (int j = 0; j < 1 << g.segment_bits; ++j) {
+      const std::int64_t t0 = (std::int64_t{1} << (g.input_bits - 2 + half)) + j * step;
+      const std::int64_t r0 = root(g, t0), rm = root(g, t0 + step / 2), r1 = root(g, t0 + step);
+      const std::int64_t base = r0 - ((r0 + r1 - 2 * rm + 2) >> 2) + (1 << (g.guard_bits - 1));
+      table.push_back({static_cast<std::int32_t>(base), static_cast<std::int32_t>(r0 - r1)});
+    }
+  }
   return table;
 }
 
 std::int64_t rsqrt(const RsqrtGeometry& g, const std::vector<Segment>& table, std::int64_t t) {
   const int n = g.offset_bits();
-  const std::int64_t half = t >> (g.input_bits - 1), x = t >> half;
+  const std::int64_t half = t >> (g.input_bits - 1);
+  const std::int64_t x = half != 0 ? t : t << 1;
   const std::int64_t index = (half << g.segment_bits) | ((x >> n) & ((1 << g.segment_bits) - 1));
-  const std::int64_t dx = ~x & ((std::int64_t{1} << n) - 1), kept = -(std::int64_t{1} << g.dropped_columns);
+  const std::int64_t dx = x & ((1 << n) - 1);
   const Segment& s = table[static_cast<std::size_t>(index)];
-  std::int64_t line = std::int64_t{s.base} << n;
-  for (int i = 0; i < n; ++i) line += ((dx & (1 << i)) * s.slope) & kept;
-  return line >> (n + g.guard_bits);
+  const std::int64_t r = ((std::int64_t{s.base} << n) - s.slope * dx) >> (n + g.guard_bits);
+  return std::min(r, (std::int64_t{2} << g.output_bits) - 1);
 }
 
 }  // namespace wrinkle

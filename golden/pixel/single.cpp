@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "golden/pixel/normalizer_geometry.h"
 #include "golden/pixel/stages.h"
 
 namespace wrinkle {

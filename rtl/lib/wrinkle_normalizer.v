@@ -1,147 +1,116 @@
 `default_nettype none
-// A vector to unit length; zero stays zero, n(-v) = -n(v). KIND 1, faithful: each component off by less than 1 ulp, exact
-// on the axes. 2, lite: the direction alone, the length within 3 %. 3, near: faithful for lengths of 1/2 to 1, where the
-// shift is not needed. Latency 5, or 0 with PIPELINED 0.
-// Sign and magnitude: the magnitudes are shifted up together by the leading zeros of their OR; S is the sum of their
-// squares, r = 1/sqrt of its leading bits, each component m * r. The one value -2^(V+1) saturates.
-// [docs/architecture.md, golden/pixel/normalizer_geometry.h]
+// A vector to unit length, faithfully rounded (< 1 ulp), odd-symmetric, exact on the axes; zero stays zero.
+// Sign and magnitude: all three magnitudes are shifted by the leading zeros of their OR, S is the exact sum of squares,
+// r = 1/sqrt of its leading bits, and each component is m * r, rounded, with its sign put back. The one value
+// -2^(V+1) has no magnitude in V + 1 bits and saturates. Latency 5. [docs/architecture.md, golden/pixel/rsqrt.h]
 module wrinkle_normalizer #(
-  parameter KIND        = 1,
   parameter VECTOR_BITS = 9,  // V
-  parameter UNIT_BITS   = 9,  // F
-  parameter PIPELINED   = 1
+  parameter UNIT_BITS   = 9    // F
 ) (
-  input  wire                         clk,
-  input  wire                         advance_i,
+  input  wire                       clk,
+  input  wire                       advance_i,
   input  wire [3*(VECTOR_BITS+2)-1:0] vector_i,  // s1.V each, x in the low bits
-  output wire [3*(UNIT_BITS+2)-1:0]   unit_o,    // s1.F each
-  output wire                         zero_o
+  output wire [3*(UNIT_BITS+2)-1:0] unit_o,      // s1.F each
+  output wire                       zero_o
 );
-  localparam F     = UNIT_BITS;
-  localparam V     = VECTOR_BITS;
-  localparam LITE  = KIND == 2 ? 1 : 0;
-  localparam NEAR  = KIND == 3 ? 1 : 0;
-  localparam PAD   = V < F ? F - V : 0;
-  localparam WIDER = V > F ? V - F : 0;
-  localparam P     = V + 1 + PAD;
+  localparam F = UNIT_BITS;
+  localparam W = VECTOR_BITS + 2;
+  localparam P = VECTOR_BITS + 1;
+  localparam S_BITS = 2 * P + 2;
 
-  // The geometry: normalizer_geometry() of golden/pixel/normalizer_geometry.h.
-  localparam INPUT_BITS   = LITE != 0 ? 7 : F < 10 ? F + 3 : F + 4;
-  localparam OUTPUT_BITS  = LITE != 0 ? 7 : F + 2;
-  localparam SEGMENT_BITS = LITE != 0 ? 5 : F < 8 ? 3 : F < 11 ? 4 : F < 13 ? 5 : F < 15 ? 6 : 7;
-  localparam GUARD_BITS   = LITE != 0 ? 0 : F < 9 || F == 13 ? 2 : 1;
-  localparam BIAS         = LITE == 0 && (F == 6 || F == 9 || F == 11 || F == 13 || F > 14) ? 1 : 0;
-  localparam DROPPED      = LITE != 0 ? 0 : F == 6 || F == 8 ? 4 : F == 7 || F == 9 ? 5 : F == 10 ? 6 : F < 13 ? 7 :
-                            F < 15 ? 8 : 9;
-  localparam SQUARE_BITS  = LITE != 0 ? 7 : P;
-  localparam SQUARE_CUT   = LITE != 0 ? 0 : WIDER + (F == 6 ? 1 : F < 9 ? 2 : F < 11 ? 3 : F < 14 ? 4 : F < 16 ? 5 : 6);
-  localparam CUT_EQUAL    = F == 6 ? 5 : F == 7 || F == 9 ? 7 : F == 8 || F == 10 ? 8 : F < 13 ? 9 : F == 14 || F == 16
-                            ? 11 : 12;
-  localparam PRODUCT_CUT  = LITE != 0 ? 0 : CUT_EQUAL + WIDER - (WIDER > 0 ? 1 : 0) - (WIDER > 7 ? 1 : 0)
-                            - (WIDER > 11 ? 1 : 0);
-  localparam SHIFT        = OUTPUT_BITS + P - F;
-
-  // Half of the most that is left out, rounded to the lowest column that is kept.
-  function [63:0] square_constant;
-    input unused;
-    reg [63:0] low, unit;
-    begin
-      low  = (64'd1 << SQUARE_CUT) - 64'd1;
-      unit = 64'd2 << SQUARE_CUT;
-      square_constant = LITE != 0 ? 64'd96 : (64'd3 * low * low + unit) / (64'd2 * unit) * unit;
-    end
-  endfunction
-
-  function [63:0] product_constant;
-    input unused;
-    reg [63:0] one;
-    integer a;
-    begin
-      one = 64'd1 << PRODUCT_CUT;
-      product_constant = 64'd0;
-      for (a = 0; a < PRODUCT_CUT; a = a + 2) product_constant = product_constant + one - (64'd1 << a);
-      product_constant = (product_constant + one) / (64'd2 * one) * one + (64'd1 << (SHIFT - 1));
-    end
-  endfunction
-
-  localparam [63:0] SQUARE_CONSTANT  = square_constant(1'b0);
-  localparam [63:0] PRODUCT_CONSTANT = product_constant(1'b0);
+  // The geometry of the table: kRsqrtGeometry of golden/pixel/rsqrt.h.
+  localparam INPUT_BITS   = F == 6 ? 8 : F == 7 ? 9 : F == 8 ? 10 : F < 15 ? F + 3 : 19;
+  localparam OUTPUT_BITS  = F == 15 ? 17 : F + 1;
+  localparam SEGMENT_BITS = F < 8 ? 3 : F < 11 ? 4 : F < 13 ? 5 : F < 16 ? 6 : 7;
+  localparam GUARD_BITS   = F < 12 || F == 13 ? 1 : 2;
 
   // Rank 1: signs and magnitudes, shifted up together.
-  wire [3*P-1:0] magnitude, m0, m1, m4;
-  wire [2:0]     negative0, negative4;
-  wire           zero0, zero4;
+  reg [3*P-1:0] m1_q;
+  reg [2:0]     negative1_q;
+  reg           zero1_q;
+  wire [3*P-1:0] magnitude, m1;
+  wire [2:0]     negative;
+  wire [P-1:0]   any = magnitude[0 +: P] | magnitude[P +: P] | magnitude[2*P +: P];
+  wire [4:0]     shift;
+
+  wrinkle_leading_zeros #(.BITS(P)) zeros (.value_i(any), .count_o(shift));
+
+  // Rank 2: the sum of squares.
+  reg [S_BITS-1:0]  s2_q;
+  wire [S_BITS-1:0] s2;
+
+  wrinkle_sum_of_squares #(.BITS(P)) squares (.m_i(m1_q), .sum_o(s2));
+
+  // Ranks 3 and 4: the reciprocal root of its leading bits.
+  wire                  e2 = |s2_q[S_BITS-1:2*P];  // S >= 2^2P
+  wire [S_BITS-1:0]     s2_scaled = e2 ? s2_q : {s2_q[2*P-1:0], 2'b00};
+  wire [INPUT_BITS-1:0] t;
+  wire [OUTPUT_BITS:0]  r4;
 
   generate
-    if (NEAR != 0) begin : unshifted  // one is 2^(P-1): twice the magnitude, saturated
-      assign m0 = {(magnitude[2*P +: P] << 1) | {P{magnitude[3*P-1]}},
-                   (magnitude[P +: P] << 1) | {P{magnitude[2*P-1]}},
-                   (magnitude[0 +: P] << 1) | {P{magnitude[P-1]}}};
-      assign zero0 = ~|magnitude;
-    end else begin : shifted
-      wrinkle_block_shift #(.BITS(P)) shift (.m_i(magnitude), .m_o(m0), .zero_o(zero0));
+    if (S_BITS >= INPUT_BITS) begin : leading
+      wire unused_low = &{1'b0, s2_scaled};
+      assign t = s2_scaled[S_BITS-1 -: INPUT_BITS];
+    end else begin : padded
+      assign t = {s2_scaled, {(INPUT_BITS - S_BITS){1'b0}}};
     end
   endgenerate
 
-  wrinkle_delay #(.WIDTH(3*P), .RANKS(PIPELINED)) rank1 (
-    .clk(clk), .advance_i(advance_i), .data_i(m0), .data_o(m1));
-
-  // Rank 2: the sum of squares.
-  wire [3*SQUARE_BITS-1:0] leading;
-  wire [2*SQUARE_BITS+1:0] s1, s2;
-
-  wrinkle_sum_of_squares #(
-    .BITS(SQUARE_BITS), .CUT(SQUARE_CUT), .CONSTANT(SQUARE_CONSTANT[2*SQUARE_BITS+1:0])
-  ) squares (.m_i(leading), .sum_o(s1));
-  wrinkle_delay #(.WIDTH(2*SQUARE_BITS + 2), .RANKS(PIPELINED)) rank2 (
-    .clk(clk), .advance_i(advance_i), .data_i(s1), .data_o(s2));
-
-  // Ranks 3 and 4: the reciprocal root of its leading bits.
-  wire [INPUT_BITS-1:0]  t;
-  wire                   halve;
-  wire [OUTPUT_BITS:0]   r4;
-  wire [OUTPUT_BITS+2:0] r4_3 = {2'b00, r4} + {1'b0, r4, 1'b0};
-
-  wrinkle_root_argument #(.NEAR(NEAR), .BITS(SQUARE_BITS), .INPUT_BITS(INPUT_BITS)) argument (
-    .sum_i(s2), .t_o(t), .halve_o(halve));
   wrinkle_rsqrt #(
-    .INPUT_BITS(INPUT_BITS), .OUTPUT_BITS(OUTPUT_BITS), .SEGMENT_BITS(SEGMENT_BITS), .GUARD_BITS(GUARD_BITS),
-    .BIAS(BIAS), .DROPPED_COLUMNS(DROPPED), .PIPELINED(PIPELINED)
-  ) rsqrt (.clk(clk), .advance_i(advance_i), .t_i(t), .halve_i(halve), .r_o(r4));
+    .INPUT_BITS(INPUT_BITS), .OUTPUT_BITS(OUTPUT_BITS), .SEGMENT_BITS(SEGMENT_BITS), .GUARD_BITS(GUARD_BITS)
+  ) rsqrt (.clk(clk), .advance_i(advance_i), .t_i(t), .r_o(r4));
 
-  // Beside them: magnitudes and signs.
-  wrinkle_delay #(.WIDTH(3*P), .RANKS(3*PIPELINED)) carry_magnitudes (
-    .clk(clk), .advance_i(advance_i), .data_i(m1), .data_o(m4));
-  wrinkle_delay #(.WIDTH(4), .RANKS(4*PIPELINED)) carry_signs (
-    .clk(clk), .advance_i(advance_i), .data_i({zero0, negative0}), .data_o({zero4, negative4}));
+  // Beside them: magnitudes, signs, exponent.
+  wire [3*P+3:0] carried2, carried4;
+  wire           e4;
+  wire [3*P-1:0] m4;
+  wire [2:0]     negative4;
+  wire           zero4;
+
+  wrinkle_delay #(.WIDTH(3*P + 4), .RANKS(1)) carry2 (
+    .clk(clk), .advance_i(advance_i), .data_i({zero1_q, negative1_q, m1_q}), .data_o(carried2));
+  wrinkle_delay #(.WIDTH(3*P + 4), .RANKS(2)) carry4 (
+    .clk(clk), .advance_i(advance_i), .data_i(carried2), .data_o(carried4));
+  wrinkle_delay #(.WIDTH(1), .RANKS(2)) exponent4 (.clk(clk), .advance_i(advance_i), .data_i(e2), .data_o(e4));
+  assign {zero4, negative4, m4} = carried4;
 
   // Rank 5: the products, rounded.
+  reg [3*(F+2)-1:0]  unit_q;
+  reg                zero_q;
   wire [3*(F+2)-1:0] unit;
 
   genvar k;
   generate
     for (k = 0; k < 3; k = k + 1) begin : component
-      wire [V:0] m;
-      wire [F:0] n;
-      assign negative0[k] = vector_i[k*(V+2)+V+1];
-      wrinkle_magnitude #(.BITS(V + 1)) absolute (.value_i(vector_i[k*(V+2) +: V+2]), .magnitude_o(m));
-      if (PAD > 0) begin : padded
-        assign magnitude[k*P +: P] = {m, {PAD{1'b0}}};
-      end else begin : whole
-        assign magnitude[k*P +: P] = m;
-      end
-      assign leading[k*SQUARE_BITS +: SQUARE_BITS] = m1[k*P+P-1 -: SQUARE_BITS];
+      wire [W-1:0] value  = vector_i[k*W +: W];
+      wire [P-1:0] minus  = {P{1'b0}} - value[P-1:0];
+      wire         lowest = value[W-1] & ~|value[P-1:0];
+      assign negative[k] = value[W-1];
+      assign magnitude[k*P +: P] = lowest ? {P{1'b1}} : negative[k] ? minus : value[P-1:0];
+      assign m1[k*P +: P] = magnitude[k*P +: P] << shift;
 
-      wrinkle_cut_product #(
-        .M_BITS(P), .R_BITS(OUTPUT_BITS + 1), .SHIFT(SHIFT), .RESULT_BITS(F + 1), .CUT(PRODUCT_CUT),
-        .CONSTANT(PRODUCT_CONSTANT[SHIFT+F:0])
-      ) multiply (.m_i(m4[k*P +: P]), .r_i(r4), .r3_i(r4_3), .result_o(n));
-      wrinkle_signed #(.BITS(F + 1)) sign (
-        .magnitude_i(n), .negative_i(negative4[k]), .value_o(unit[k*(F+2) +: F+2]));
+      wire [P+OUTPUT_BITS:0]  product;
+      wire signed [F+1:0]     rounded;
+      wrinkle_multiply_unsigned #(.A_BITS(P), .B_BITS(OUTPUT_BITS + 1)) multiply (
+        .a_i(m4[k*P +: P]), .b_i(r4), .product_o(product));
+      wrinkle_round_half_up #(
+        .VALUE_BITS(P + OUTPUT_BITS + 3), .SHIFT(P + 1 + OUTPUT_BITS - F), .RESULT_BITS(F + 2)
+      ) round (.value_i(e4 ? {2'b00, product} : {1'b0, product, 1'b0}), .result_o(rounded));
+      assign unit[k*(F+2) +: F+2] = negative4[k] ? -rounded : rounded;
     end
   endgenerate
 
-  wrinkle_delay #(.WIDTH(3*(F+2) + 1), .RANKS(PIPELINED)) rank5 (
-    .clk(clk), .advance_i(advance_i), .data_i({zero4, unit}), .data_o({zero_o, unit_o}));
+  assign unit_o = unit_q;
+  assign zero_o = zero_q;
+
+  always @(posedge clk)
+    if (advance_i) begin
+      m1_q        <= m1;
+      negative1_q <= negative;
+      zero1_q     <= ~|any;
+      s2_q        <= s2;
+      unit_q      <= unit;
+      zero_q      <= zero4;
+    end
 endmodule
 `default_nettype wire

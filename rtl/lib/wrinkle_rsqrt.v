@@ -1,28 +1,22 @@
 `default_nettype none
-// Reciprocal square root, r = 1/sqrt(t) in u1.RB for t in [1/4, 1), of which T holds the leading SB + 1 bits; halved,
-// rounded down, where halve_i is set. A table of 2 * 2^K linear segments, filled by the formula of golden/pixel/rsqrt.h.
-// Latency 2, or 0 with PIPELINED 0. Does not handle t < 1/4.
+// Reciprocal square root, r = 1/sqrt(t) in u1.RB for t in [1/4, 1), of which T holds the leading SB bits.
+// A table of 2 * 2^K linear segments, filled by the formula of golden/pixel/rsqrt.h, where the geometry for each F and
+// the proof that a vector scaled by r is faithful to F bits are given. Latency 2. Does not handle t < 1/4.
 module wrinkle_rsqrt #(
-  parameter INPUT_BITS      = 11,  // SB + 1
-  parameter OUTPUT_BITS     = 10,  // RB
-  parameter SEGMENT_BITS    = 4,   // K
-  parameter GUARD_BITS      = 2,   // of base and slope, below r
-  parameter BIAS            = 0,
-  parameter DROPPED_COLUMNS = 4,
-  parameter PIPELINED       = 1
+  parameter INPUT_BITS  = 10,  // SB
+  parameter OUTPUT_BITS = 9,   // RB
+  parameter SEGMENT_BITS = 4,  // K
+  parameter GUARD_BITS  = 1    // of base and slope, below r
 ) (
   input  wire                  clk,
   input  wire                  advance_i,
-  input  wire [INPUT_BITS-1:0] t_i,      // u0, at least 1/4
-  input  wire                  halve_i,
-  output wire [OUTPUT_BITS:0]  r_o       // u1.RB
+  input  wire [INPUT_BITS-1:0] t_i,        // u0.SB, at least 1/4
+  output wire [OUTPUT_BITS:0]  r_o         // u1.RB
 );
-  localparam N          = INPUT_BITS - 2 - SEGMENT_BITS;
-  localparam OFFSET     = N > 0 ? N : 1;
-  localparam BASE_BITS  = OUTPUT_BITS + GUARD_BITS + 1;
-  localparam SLOPE_BITS = OUTPUT_BITS + GUARD_BITS - SEGMENT_BITS;
-  localparam ENTRY      = SLOPE_BITS + BASE_BITS;
-  localparam SEGMENTS   = 2 << SEGMENT_BITS;
+  localparam N          = INPUT_BITS - 1 - SEGMENT_BITS;
+  localparam BASE_BITS  = OUTPUT_BITS + GUARD_BITS + 2;
+  localparam SLOPE_BITS = OUTPUT_BITS + GUARD_BITS - SEGMENT_BITS + 1;
+  localparam ROWS       = 2 << SEGMENT_BITS;
 
   // floor(sqrt(x))
   function [63:0] isqrt;
@@ -43,74 +37,58 @@ module wrinkle_rsqrt #(
     end
   endfunction
 
-  // 2^(RB+g) / sqrt(t) of the middle of x, rounded to nearest
+  // 2^(RB+g) / sqrt((t + 1/2) 2^-SB), rounded to nearest
   function [63:0] root;
-    input [63:0] x;
-    input integer half;
-    root = (isqrt((64'd1 << (2 * (OUTPUT_BITS + GUARD_BITS) + INPUT_BITS + 3 - half)) / ((x << 1) + 64'd1)) + 64'd1)
-           >> 1;
+    input [63:0] t;
+    root = (isqrt((64'd1 << (2 * (OUTPUT_BITS + GUARD_BITS) + INPUT_BITS + 3)) / ((t << 1) + 64'd1)) + 64'd1) >> 1;
   endfunction
 
-  // slope * 2^BASE_BITS + base of segment i
+  // slope * 2^BASE_BITS + base of segment i: the chord, lowered by half its sagitta, plus half an LSB of r.
   function [63:0] segment;
     input integer i;
-    reg [63:0] width, x0, r0, rm, r1, base, slope, most;
-    integer half;
+    reg [63:0] step, t0, r0, rm, r1, base, slope;
     begin
-      half  = i >> SEGMENT_BITS;
-      width = 64'd1 << N;
-      x0    = (64'd1 << (INPUT_BITS - 2)) + (({32'd0, i} & ((64'd1 << SEGMENT_BITS) - 64'd1)) << N);
-      r0    = root(x0, half);
-      base  = r0;
-      slope = 64'd0;
-      if (N > 0) begin
-        rm    = root(x0 + (width >> 1), half);
-        r1    = root(x0 + width, half);
-        slope = r0 - r1;
-        base  = r1 + ((slope + (width >> 1)) >> N) - ((r0 + r1 + 64'd2 - (rm << 1)) >> 2)
-                + ((64'd1 << GUARD_BITS) >> 1) + BIAS;
-      end
-      most = (((64'd1 << (BASE_BITS + N)) - 64'd1) - slope * (width - 64'd1)) >> N;
-      if (base > most) base = most;
-      segment = (slope << BASE_BITS) | base;
+      step    = 64'd1 << (INPUT_BITS - 2 - SEGMENT_BITS + (i >> SEGMENT_BITS));
+      t0      = (64'd1 << (INPUT_BITS - 2 + (i >> SEGMENT_BITS))) +
+                step * ({32'd0, i} & ((64'd1 << SEGMENT_BITS) - 64'd1));
+      r0      = root(t0);
+      rm      = root(t0 + (step >> 1));
+      r1      = root(t0 + step);
+      base    = r0 - ((r0 + r1 + 64'd2 - (rm << 1)) >> 2) + (64'd1 << (GUARD_BITS - 1));
+      slope   = r0 - r1;
+      segment = (slope << BASE_BITS) + base;
     end
   endfunction
 
-  reg [63:0] table_q [0:SEGMENTS-1];
+  reg [63:0] table_q [0:ROWS-1];
   integer i;
-  initial for (i = 0; i < SEGMENTS; i = i + 1) table_q[i] = segment(i);
+  initial for (i = 0; i < ROWS; i = i + 1) table_q[i] = segment(i);
 
-  // Both halves of the range keep the same number of bits.
-  wire                    half  = t_i[INPUT_BITS-1];
-  wire [INPUT_BITS-2:0]   x     = half ? t_i[INPUT_BITS-1:1] : t_i[INPUT_BITS-2:0];
-  wire [SEGMENT_BITS:0]   index = {half, x[INPUT_BITS-3 -: SEGMENT_BITS]};
-  wire [63:0]             entry = table_q[index];
-  wire unused_bits = &{1'b0, x, entry};
+  // Both halves of the range are brought to the same segment width.
+  wire                  half  = t_i[INPUT_BITS-1];
+  wire [INPUT_BITS-1:0] x     = half ? t_i : {t_i[INPUT_BITS-2:0], 1'b0};
+  wire [SEGMENT_BITS:0] index = {half, x[INPUT_BITS-2:N]};
+  wire unused_one = &{1'b0, x[INPUT_BITS-1]};
 
-  wire [ENTRY-1:0]  entry1;
-  wire [OFFSET-1:0] dx1;
-  wire              halve1;
-  wire [OUTPUT_BITS:0] r, r1;
+  wire [63:0] entry = table_q[index];
+  wire unused_top = &{1'b0, entry};
+  reg [SLOPE_BITS+BASE_BITS-1:0] segment_q;
+  reg [N-1:0]                    dx_q;
+  reg [OUTPUT_BITS:0]            r_q;
+  wire [OUTPUT_BITS:0]           r;
 
-  wrinkle_delay #(.WIDTH(ENTRY + OFFSET + 1), .RANKS(PIPELINED)) looked_up (
-    .clk(clk), .advance_i(advance_i), .data_i({entry[ENTRY-1:0], ~x[OFFSET-1:0], halve_i}),
-    .data_o({entry1, dx1, halve1}));
+  wrinkle_segment #(
+    .BASE_BITS(BASE_BITS), .SLOPE_BITS(SLOPE_BITS), .N(N), .GUARD(GUARD_BITS), .RESULT_BITS(OUTPUT_BITS + 1)
+  ) interpolate (
+    .base_i(segment_q[BASE_BITS-1:0]), .slope_i(segment_q[BASE_BITS +: SLOPE_BITS]), .dx_i(dx_q), .result_o(r));
 
-  generate
-    if (N > 0) begin : linear
-      wrinkle_line #(
-        .N(N), .BASE_BITS(BASE_BITS), .SLOPE_BITS(SLOPE_BITS), .DROPPED_COLUMNS(DROPPED_COLUMNS),
-        .RESULT_BITS(OUTPUT_BITS + 1)
-      ) line (
-        .base_i(entry1[BASE_BITS-1:0]), .slope_i(entry1[ENTRY-1:BASE_BITS]), .dx_i(dx1), .result_o(r));
-    end else begin : direct
-      wire unused_slope = &{1'b0, entry1, dx1};
-      assign r = entry1[BASE_BITS-1 -: OUTPUT_BITS+1];
+  assign r_o = r_q;
+
+  always @(posedge clk)
+    if (advance_i) begin
+      segment_q <= entry[SLOPE_BITS+BASE_BITS-1:0];
+      dx_q      <= x[N-1:0];
+      r_q       <= r;
     end
-  endgenerate
-
-  assign r1 = halve1 ? {1'b0, r[OUTPUT_BITS:1]} : r;
-  wrinkle_delay #(.WIDTH(OUTPUT_BITS + 1), .RANKS(PIPELINED)) interpolated (
-    .clk(clk), .advance_i(advance_i), .data_i(r1), .data_o(r_o));
 endmodule
 `default_nettype wire

@@ -1,6 +1,6 @@
 `default_nettype none
-// One vector of the normalize stage: NORMALIZER 1 to 3 by a wrinkle_normalizer of that kind; 0 only rounded to s1.F and
-// saturated, for a vector that is of unit length already. Latency RANKS, at least 5 with a normalizer and 1 without.
+// One vector of the normalize stage: NORMALIZER 1 by wrinkle_normalizer; 0 only rounded to s1.F and saturated, for a
+// vector that is of unit length already. Latency RANKS, at least 5 with a normalizer and 1 without.
 module wrinkle_unit_vector #(
   parameter NORMALIZER  = 1,
   parameter VECTOR_BITS = 9,  // V
@@ -20,10 +20,10 @@ module wrinkle_unit_vector #(
 
   genvar k;
   generate
-    if (NORMALIZER != 0) begin : normalized
+    if (NORMALIZER != 0) begin : faithful
       wire [3*N-1:0] unit;
       wire           zero;
-      wrinkle_normalizer #(.KIND(NORMALIZER), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS)) normalizer (
+      wrinkle_normalizer #(.VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS)) normalizer (
         .clk(clk), .advance_i(advance_i), .vector_i(vector_i), .unit_o(unit), .zero_o(zero));
       wrinkle_delay #(.WIDTH(3*N + 1), .RANKS(RANKS - 5)) delay (
         .clk(clk), .advance_i(advance_i), .data_i({zero, unit}), .data_o({zero_o, unit_o}));

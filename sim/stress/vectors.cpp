@@ -6,7 +6,7 @@
 #include <optional>
 #include <random>
 
-#include "golden/pixel/normalizer_geometry.h"
+#include "golden/pixel/rsqrt.h"
 #include "sim/stress/catalogue.h"
 
 namespace wrinkle {

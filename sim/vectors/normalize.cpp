@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "golden/pixel/normalizer_geometry.h"
+#include "golden/pixel/rsqrt.h"
 #include "sim/vectors/vectors.h"
 
 namespace wrinkle {

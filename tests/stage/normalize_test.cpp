@@ -5,7 +5,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "golden/pixel/normalizer_geometry.h"
 #include "golden/pixel/single.h"
 #include "tests/stage/support.h"
 
