@@ -128,16 +128,14 @@ std::span<const Parameter> parameters() {
 
 // What the normalizers and the parts before them demand of each other.
 static IllegalParameter check_normalizers(const Config& c) {
-  const auto kind = [](int normalizer) { return static_cast<Normalizer>(normalizer); };
-  const auto reject = [](std::string key, int normalizer, const std::string& reason) {
-    return IllegalParameter{key, key + " = " + (normalizer == 0 ? "none" : "near") + " is not legal: " + reason};
+  const auto reject = [](std::string key, const std::string& reason) {
+    return IllegalParameter{key, key + " = none is not legal: " + reason};
   };
-  const bool bounded = kind(c.normalizer_n) == Normalizer::kFaithful || kind(c.normalizer_n) == Normalizer::kLite;
-  if (c.has_blinn() && !bounded)
-    return reject("normalizer_n", c.normalizer_n, "the length of Pu x Pv - fu Pv x N - fv N x Pu is anything");
-  const bool sum_bounded = kind(c.normalizer_h) == Normalizer::kFaithful || kind(c.normalizer_h) == Normalizer::kLite;
-  if (c.is(Lighting::kPixelHalfangle) && !sum_bounded)
-    return reject("normalizer_h", c.normalizer_h, "the length of L + E is anything up to 2");
+  const int none = static_cast<int>(Normalizer::kNone);
+  if (c.has_blinn() && c.normalizer_n == none)
+    return reject("normalizer_n", "the length of Pu x Pv - fu Pv x N - fv N x Pu is anything");
+  if (c.is(Lighting::kPixelHalfangle) && c.normalizer_h == none)
+    return reject("normalizer_h", "the length of L + E is anything up to 2");
   return {};
 }
 

@@ -14,7 +14,7 @@ enum class CrossProducts { kInterpolated, kConstant };
 enum class BlockExponent { kTriangle, kDraw };
 enum class LightVectorSource { kInterpolated, kConstant };
 enum class Lighting { kDiffuse, kHalfangle, kReflection, kPixelHalfangle };
-enum class Normalizer { kNone, kFaithful, kLite, kNear };
+enum class Normalizer { kNone, kFaithful };
 enum class NormalizeOrder { kBefore, kAfter };
 enum class NormalizerSharing { kThree, kShared };
 enum class SelfShadow { kOff, kHard, kSmooth };

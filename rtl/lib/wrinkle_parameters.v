@@ -11,8 +11,6 @@ module wrinkle_parameters #(
   parameter NORMALIZER_N       = 1,
   parameter NORMALIZER_L       = 1,
   parameter NORMALIZER_H       = 1,
-  parameter NORMALIZE_ORDER    = 0,
-  parameter NORMALIZER_SHARING = 0,
   parameter SELF_SHADOW        = 1,
   parameter FILTER             = 2,
   parameter DECODE             = 0,
@@ -57,20 +55,14 @@ module wrinkle_parameters #(
     if (LIGHTING < 0 || LIGHTING > 3) begin : lighting
       wrinkle_error_lighting_is_not_0_to_3 error ();
     end
-    if (NORMALIZER_N < 0 || NORMALIZER_N > 3) begin : normalizer_n
-      wrinkle_error_normalizer_n_is_not_0_to_3 error ();
+    if (NORMALIZER_N < 0 || NORMALIZER_N > 1) begin : normalizer_n
+      wrinkle_error_normalizer_n_is_not_0_to_1 error ();
     end
-    if (NORMALIZER_L < 0 || NORMALIZER_L > 3) begin : normalizer_l
-      wrinkle_error_normalizer_l_is_not_0_to_3 error ();
+    if (NORMALIZER_L < 0 || NORMALIZER_L > 1) begin : normalizer_l
+      wrinkle_error_normalizer_l_is_not_0_to_1 error ();
     end
-    if (NORMALIZER_H < 0 || NORMALIZER_H > 3) begin : normalizer_h
-      wrinkle_error_normalizer_h_is_not_0_to_3 error ();
-    end
-    if (NORMALIZE_ORDER < 0 || NORMALIZE_ORDER > 1) begin : normalize_order
-      wrinkle_error_normalize_order_is_not_0_to_1 error ();
-    end
-    if (NORMALIZER_SHARING < 0 || NORMALIZER_SHARING > 1) begin : normalizer_sharing
-      wrinkle_error_normalizer_sharing_is_not_0_to_1 error ();
+    if (NORMALIZER_H < 0 || NORMALIZER_H > 1) begin : normalizer_h
+      wrinkle_error_normalizer_h_is_not_0_to_1 error ();
     end
     if (SELF_SHADOW < 0 || SELF_SHADOW > 2) begin : self_shadow
       wrinkle_error_self_shadow_is_not_0_to_2 error ();
@@ -165,10 +157,10 @@ module wrinkle_parameters #(
     if (DATAPATH == 3 && LIGHT_VECTORS != 0) begin : rotated
       wrinkle_error_light_vectors_turn_with_the_rotated_frame error ();
     end
-    if (DATAPATH == 2 && (NORMALIZER_N == 0 || NORMALIZER_N == 3)) begin : blinn
+    if (DATAPATH == 2 && NORMALIZER_N == 0) begin : blinn
       wrinkle_error_normalizer_n_must_take_any_length error ();
     end
-    if (LIGHTING == 3 && (NORMALIZER_H == 0 || NORMALIZER_H == 3)) begin : pixel_halfangle
+    if (LIGHTING == 3 && NORMALIZER_H == 0) begin : pixel_halfangle
       wrinkle_error_normalizer_h_must_take_any_length error ();
     end
   endgenerate

@@ -213,12 +213,6 @@ std::map<Key, FragmentValues> golden_values(const Config& config, const Frame& f
   return found;
 }
 
-void check_supported(const Config& config) {
-  if (config.normalize_order != 0)
-    throw InputError(Place{"normalize_order"}, "vectors normalized after the dot products",
-                     "vectors normalized before them, for the error of each stage");
-}
-
 }  // namespace
 
 Vec3 replay(const ReplayedPixel& pixel, const Parts& chosen) {
@@ -232,7 +226,6 @@ Vec3 replay(const ReplayedPixel& pixel, const Parts& chosen) {
 
 void for_each_replayed(const Config& config, const Frame& frame,
                        const std::function<void(const ReplayedPixel&)>& visit) {
-  check_supported(config);
   const std::map<Key, FragmentValues> golden = golden_values(config, frame);
   std::vector<ExactTexture> textures;
   for (const Texture& texture : frame.textures) textures.push_back(decoded(config, texture));

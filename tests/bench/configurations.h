@@ -103,7 +103,7 @@ inline Config spread_config(int index) {
   // What the choices do not allow each other.
   if (config.is(Datapath::kRotated)) config.light_vectors = 0;
   if (config.has_blinn()) config.normalizer_n = static_cast<int>(Normalizer::kFaithful);
-  if (config.is(Lighting::kPixelHalfangle)) config.normalizer_h = static_cast<int>(Normalizer::kLite);
+  if (config.is(Lighting::kPixelHalfangle)) config.normalizer_h = static_cast<int>(Normalizer::kFaithful);
   return config;
 }
 
