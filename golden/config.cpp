@@ -152,7 +152,8 @@ IllegalParameter check(const Config& config) {
     return illegal("reciprocal_bits", config.reciprocal_bits, "at least " + std::to_string(config.q_bits - 1),
                    "u q times 1/q is scaled by a right shift only, of reciprocal_bits less the leading zeros of q");
   if (config.is(Datapath::kRotated) && !config.has_light_planes())
-    return {"light_vectors", "light_vectors = constant is not legal: L and H turn with the frame of datapath = rotated"};
+    return {"light_vectors",
+            "light_vectors = constant is not legal: L and H turn with the frame of datapath = rotated"};
   return check_normalizers(config);
 }
 
