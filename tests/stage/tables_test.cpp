@@ -6,7 +6,7 @@
 
 #include "golden/pixel/context.h"
 #include "golden/pixel/reciprocal.h"
-#include "golden/pixel/normalizer_geometry.h"
+#include "golden/pixel/rsqrt.h"
 
 namespace wrinkle {
 namespace {
