@@ -65,7 +65,7 @@ inline std::string message_of(const std::function<void()>& read) {
   return {};
 }
 
-// One clear message: a single line of at most 600 characters that holds every one of `parts`.
+// One clear message: a single line of at most 700 characters that holds every one of `parts`.
 inline void expect_error(const std::function<void()>& read, const std::vector<std::string>& parts) {
   const std::string message = message_of(read);
   for (const std::string& part : parts)
