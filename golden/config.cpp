@@ -136,6 +136,38 @@ static IllegalParameter check_normalizers(const Config& c) {
     return reject("normalizer_n", "the length of Pu x Pv - fu Pv x N - fv N x Pu is anything");
   if (c.is(Lighting::kPixelHalfangle) && c.normalizer_h == none)
     return reject("normalizer_h", "the length of L + E is anything up to 2");
+  const int near = static_cast<int>(Normalizer::kNear);
+  if (c.has_blinn() && c.normalizer_n == near)
+    return {"normalizer_n", "normalizer_n = near is not legal: the length of N of datapath = blinn is anything"};
+  if (c.is(Lighting::kPixelHalfangle) && c.normalizer_h == near)
+    return {"normalizer_h", "normalizer_h = near is not legal: the length of L + E is anything up to 2"};
+  return {};
+}
+
+// What scaling after the dot products, one unit in turn, and both demand of the rest.
+static IllegalParameter check_order_and_sharing(const Config& c) {
+  const bool three_vectors = (c.is(Datapath::kPhong) || c.has_texture_normal()) && c.has_light_planes();
+  const bool alike = c.normalizer_l == c.normalizer_n && (!c.has_specular() || c.normalizer_h == c.normalizer_n);
+  if (c.normalizes_after()) {
+    const auto reject = [](const std::string& reason) {
+      return IllegalParameter{"normalize_order", "normalize_order = after is not legal: " + reason};
+    };
+    if (!c.has_normal() || !c.has_light_planes()) return reject("N, L and H must be interpolated or from a texture");
+    if (!alike || c.normalizer_n != static_cast<int>(Normalizer::kFaithful))
+      return reject("the reciprocal lengths are those of normalizer_n, _l, _h = faithful");
+    if (c.has_view_vector()) return reject("lighting = reflection and pixel_halfangle need unit vectors");
+    if (c.self_shadow != static_cast<int>(SelfShadow::kOff)) return reject("self_shadow needs the unit vector L");
+  }
+  if (c.sharing != 0) {
+    const auto reject = [](const std::string& reason) {
+      return IllegalParameter{"sharing", "sharing = on is not legal: " + reason};
+    };
+    if (!three_vectors) return reject("N, L and H must be three interpolated or texture vectors of one width");
+    if (!alike || c.normalizer_n == static_cast<int>(Normalizer::kNone))
+      return reject("normalizer_n, _l and _h must be one kind, and not none");
+    if (!c.is(Lighting::kHalfangle)) return reject("it takes turns between N.L and N.H: lighting = halfangle");
+    if (c.normalizes_after()) return reject("normalize_order = after has units of its own");
+  }
   return {};
 }
 
@@ -154,7 +186,8 @@ IllegalParameter check(const Config& config) {
   if (config.is(Datapath::kRotated) && !config.has_light_planes())
     return {"light_vectors",
             "light_vectors = constant is not legal: L and H turn with the frame of datapath = rotated"};
-  return check_normalizers(config);
+  if (auto fault = check_normalizers(config); !fault.key.empty()) return fault;
+  return check_order_and_sharing(config);
 }
 
 int widest_operand_bits(const Config& config) {

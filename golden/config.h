@@ -14,9 +14,8 @@ enum class CrossProducts { kInterpolated, kConstant };
 enum class BlockExponent { kTriangle, kDraw };
 enum class LightVectorSource { kInterpolated, kConstant };
 enum class Lighting { kDiffuse, kHalfangle, kReflection, kPixelHalfangle };
-enum class Normalizer { kNone, kFaithful };
+enum class Normalizer { kNone, kFaithful, kCompact, kLite, kNear };
 enum class NormalizeOrder { kBefore, kAfter };
-enum class NormalizerSharing { kThree, kShared };
 enum class SelfShadow { kOff, kHard, kSmooth };
 enum class Filter { kNearest, kBilinear, kTrilinear };
 enum class Decode { kRange, kOffset };
@@ -57,6 +56,8 @@ struct Config {
   int third_normalizer() const { return is(Lighting::kPixelHalfangle) ? normalizer_l : normalizer_h; }
   bool has_texture() const { return has_bump() || decal != 0; }
   bool trilinear() const { return filter == static_cast<int>(Filter::kTrilinear); }
+  // Dot products of mantissas, scaled by the reciprocal lengths of both vectors.
+  bool normalizes_after() const { return normalize_order == static_cast<int>(NormalizeOrder::kAfter); }
   int channel_count() const { return channels == 0 ? 1 : 3; }
   int vector_width() const { return vector_bits + 2; }
   int wide_width() const { return wide_bits + 2; }

@@ -9,9 +9,12 @@ module wrinkle_core #(
   parameter BLOCK_EXPONENT     = 0,  // triangle|draw: of set-up alone, the hardware is the same; blinn only
   parameter LIGHT_VECTORS      = 0,  // interpolated|constant
   parameter LIGHTING           = 1,  // diffuse|halfangle|reflection|pixel_halfangle
-  parameter NORMALIZER_N       = 1,  // none|faithful
-  parameter NORMALIZER_L       = 1,  // none|faithful
-  parameter NORMALIZER_H       = 1,  // none|faithful
+  parameter NORMALIZER_N       = 1,  // none|faithful|compact|lite|near
+  parameter NORMALIZER_L       = 1,  // none|faithful|compact|lite|near
+  parameter NORMALIZER_H       = 1,  // none|faithful|compact|lite|near
+  parameter NORMALIZE_ORDER    = 0,  // before|after
+  parameter SHARING            = 0,  // off|on
+  parameter BUFFERING          = 0,  // double|single
   parameter SELF_SHADOW        = 1,  // off|hard|smooth
   parameter FILTER             = 2,  // nearest|bilinear|trilinear
   parameter DECODE             = 0,  // range|offset
@@ -90,7 +93,7 @@ module wrinkle_core #(
   wrinkle_parameters #(
     .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .BLOCK_EXPONENT(BLOCK_EXPONENT),
     .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N), .NORMALIZER_L(NORMALIZER_L),
-    .NORMALIZER_H(NORMALIZER_H),
+    .NORMALIZER_H(NORMALIZER_H), .NORMALIZE_ORDER(NORMALIZE_ORDER), .SHARING(SHARING), .BUFFERING(BUFFERING),
     .SELF_SHADOW(SELF_SHADOW), .FILTER(FILTER), .DECODE(DECODE), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH),
     .DECAL(DECAL), .CHANNELS(CHANNELS), .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS),
     .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .GRADIENT_BITS(GRADIENT_BITS),

@@ -11,6 +11,9 @@ module wrinkle_parameters #(
   parameter NORMALIZER_N       = 1,
   parameter NORMALIZER_L       = 1,
   parameter NORMALIZER_H       = 1,
+  parameter NORMALIZE_ORDER    = 0,
+  parameter SHARING            = 0,
+  parameter BUFFERING          = 0,
   parameter SELF_SHADOW        = 1,
   parameter FILTER             = 2,
   parameter DECODE             = 0,
@@ -55,14 +58,23 @@ module wrinkle_parameters #(
     if (LIGHTING < 0 || LIGHTING > 3) begin : lighting
       wrinkle_error_lighting_is_not_0_to_3 error ();
     end
-    if (NORMALIZER_N < 0 || NORMALIZER_N > 1) begin : normalizer_n
-      wrinkle_error_normalizer_n_is_not_0_to_1 error ();
+    if (NORMALIZER_N < 0 || NORMALIZER_N > 4) begin : normalizer_n
+      wrinkle_error_normalizer_n_is_not_0_to_4 error ();
     end
-    if (NORMALIZER_L < 0 || NORMALIZER_L > 1) begin : normalizer_l
-      wrinkle_error_normalizer_l_is_not_0_to_1 error ();
+    if (NORMALIZER_L < 0 || NORMALIZER_L > 4) begin : normalizer_l
+      wrinkle_error_normalizer_l_is_not_0_to_4 error ();
     end
-    if (NORMALIZER_H < 0 || NORMALIZER_H > 1) begin : normalizer_h
-      wrinkle_error_normalizer_h_is_not_0_to_1 error ();
+    if (NORMALIZER_H < 0 || NORMALIZER_H > 4) begin : normalizer_h
+      wrinkle_error_normalizer_h_is_not_0_to_4 error ();
+    end
+    if (NORMALIZE_ORDER < 0 || NORMALIZE_ORDER > 1) begin : normalize_order
+      wrinkle_error_normalize_order_is_not_0_to_1 error ();
+    end
+    if (SHARING < 0 || SHARING > 1) begin : sharing
+      wrinkle_error_sharing_is_not_0_to_1 error ();
+    end
+    if (BUFFERING < 0 || BUFFERING > 1) begin : buffering
+      wrinkle_error_buffering_is_not_0_to_1 error ();
     end
     if (SELF_SHADOW < 0 || SELF_SHADOW > 2) begin : self_shadow
       wrinkle_error_self_shadow_is_not_0_to_2 error ();
@@ -157,11 +169,19 @@ module wrinkle_parameters #(
     if (DATAPATH == 3 && LIGHT_VECTORS != 0) begin : rotated
       wrinkle_error_light_vectors_turn_with_the_rotated_frame error ();
     end
-    if (DATAPATH == 2 && NORMALIZER_N == 0) begin : blinn
+    if (DATAPATH == 2 && (NORMALIZER_N == 0 || NORMALIZER_N == 4)) begin : blinn
       wrinkle_error_normalizer_n_must_take_any_length error ();
     end
-    if (LIGHTING == 3 && NORMALIZER_H == 0) begin : pixel_halfangle
+    if (LIGHTING == 3 && (NORMALIZER_H == 0 || NORMALIZER_H == 4)) begin : pixel_halfangle
       wrinkle_error_normalizer_h_must_take_any_length error ();
+    end
+    if (NORMALIZE_ORDER != 0 && (DATAPATH == 3 || LIGHT_VECTORS != 0 || NORMALIZER_N != 1 || NORMALIZER_L != 1 ||
+                                 (LIGHTING != 0 && NORMALIZER_H != 1) || LIGHTING > 1 || SELF_SHADOW != 0)) begin : after
+      wrinkle_error_normalize_order_after_scales_dot_products_of_faithful_vectors_without_self_shadow error ();
+    end
+    if (SHARING != 0 && (DATAPATH > 1 || LIGHT_VECTORS != 0 || NORMALIZER_N == 0 || NORMALIZER_L != NORMALIZER_N ||
+                         NORMALIZER_H != NORMALIZER_N || LIGHTING != 1 || NORMALIZE_ORDER != 0)) begin : shared
+      wrinkle_error_sharing_is_of_n_l_h_with_one_kind_of_normalizer_and_halfangle_lighting error ();
     end
   endgenerate
 endmodule

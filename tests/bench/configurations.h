@@ -101,6 +101,7 @@ inline Config spread_config(int index) {
   }
   config.q_bits = std::min(config.q_bits, config.reciprocal_bits + 1);
   // What the choices do not allow each other.
+  config.normalize_order = config.sharing = 0;
   if (config.is(Datapath::kRotated)) config.light_vectors = 0;
   if (config.has_blinn()) config.normalizer_n = static_cast<int>(Normalizer::kFaithful);
   if (config.is(Lighting::kPixelHalfangle)) config.normalizer_h = static_cast<int>(Normalizer::kFaithful);
