@@ -120,13 +120,13 @@ module wrinkle_core #(
 
   wrinkle_packet #(
     .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING),
-    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .CHANNELS(CHANNELS),
-    .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS), .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS),
-    .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS),
+    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .BUFFERING(BUFFERING),
+    .CHANNELS(CHANNELS), .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS), .GUARD_BITS(GUARD_BITS),
+    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS),
     .UNIT_BITS(UNIT_BITS), .COLOUR_BITS(COLOUR_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) packet (
     .clk(clk), .rst(rst), .packet_valid_i(packet_valid_i), .packet_ready_o(packet_ready_o),
-    .packet_word_i(packet_word_i), .busy_i(fragments_busy), .word_o(packet_word), .scan_shift_o(scan_shift),
+    .packet_word_i(packet_word_i), .busy_i(fragments_busy), .walking_i(scan_busy), .word_o(packet_word), .scan_shift_o(scan_shift),
     .plane_shift_o(plane_shift), .triangle_valid_o(triangle_valid), .triangle_take_i(triangle_take),
     .draw_bump_o(draw_bump), .draw_textured_o(draw_textured), .draw_shadow_o(draw_shadow),
     .draw_exponent_zero_o(draw_exponent_zero), .draw_wrap_u_o(draw_wrap_u), .draw_wrap_v_o(draw_wrap_v),
@@ -141,7 +141,7 @@ module wrinkle_core #(
   wire [SCREEN_BITS-1:0] scan_x, scan_y;
 
   wrinkle_scan #(
-    .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS)
+    .SHARING(SHARING), .BUFFERING(BUFFERING), .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS)
   ) scan (
     .clk(clk), .rst(rst), .shift_i(scan_shift), .word_i(packet_word), .triangle_valid_i(triangle_valid),
     .load_o(triangle_take), .step_o(walk_step), .carry_o(walk_carry), .span_o(walk_span), .first_o(walk_first),
@@ -186,9 +186,9 @@ module wrinkle_core #(
 
   wrinkle_interpolate #(
     .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING),
-    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .GUARD_BITS(GUARD_BITS),
-    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS),
-    .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .DEPTH_BITS(DEPTH_BITS)
+    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .SHARING(SHARING), .BUFFERING(BUFFERING),
+    .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS),
+    .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) interpolate (
     .clk(clk), .shift_i(plane_shift), .word_i(packet_word), .load_i(triangle_take), .step_i(walk_step),
     .carry_i(walk_carry), .span_i(walk_span), .first_i(walk_first), .pixel_i(walk_pixel), .n_o(interpolate_n),
