@@ -1,12 +1,14 @@
 `default_nettype none
 // Reciprocal square root, r = 1/sqrt(t) in u1.RB for t in [1/4, 1), of which T holds the leading SB bits.
 // A table of 2 * 2^K linear segments, filled by the formula of golden/pixel/rsqrt.h, where the geometry for each F and
-// the proof that a vector scaled by r is faithful to F bits are given. Latency 2. Does not handle t < 1/4.
+// the proof that a vector scaled by r is faithful to F bits are given. Latency 2, or 0 with
+// PIPELINED 0. T < 2^(SB-2) stands for itself plus 2^(SB-2): the leading one of the range is not looked at.
 module wrinkle_rsqrt #(
   parameter INPUT_BITS  = 10,  // SB
   parameter OUTPUT_BITS = 9,   // RB
   parameter SEGMENT_BITS = 4,  // K
-  parameter GUARD_BITS  = 1    // of base and slope, below r
+  parameter GUARD_BITS  = 1,   // of base and slope, below r
+  parameter PIPELINED   = 1
 ) (
   input  wire                  clk,
   input  wire                  advance_i,
@@ -72,23 +74,17 @@ module wrinkle_rsqrt #(
 
   wire [63:0] entry = table_q[index];
   wire unused_top = &{1'b0, entry};
-  reg [SLOPE_BITS+BASE_BITS-1:0] segment_q;
-  reg [N-1:0]                    dx_q;
-  reg [OUTPUT_BITS:0]            r_q;
-  wire [OUTPUT_BITS:0]           r;
+  wire [SLOPE_BITS+BASE_BITS-1:0] segment1;
+  wire [N-1:0]                    dx1;
+  wire [OUTPUT_BITS:0]            r;
 
+  wrinkle_delay #(.WIDTH(SLOPE_BITS + BASE_BITS + N), .RANKS(PIPELINED)) rank1 (
+    .clk(clk), .advance_i(advance_i), .data_i({entry[SLOPE_BITS+BASE_BITS-1:0], x[N-1:0]}), .data_o({segment1, dx1}));
   wrinkle_segment #(
     .BASE_BITS(BASE_BITS), .SLOPE_BITS(SLOPE_BITS), .N(N), .GUARD(GUARD_BITS), .RESULT_BITS(OUTPUT_BITS + 1)
   ) interpolate (
-    .base_i(segment_q[BASE_BITS-1:0]), .slope_i(segment_q[BASE_BITS +: SLOPE_BITS]), .dx_i(dx_q), .result_o(r));
-
-  assign r_o = r_q;
-
-  always @(posedge clk)
-    if (advance_i) begin
-      segment_q <= entry[SLOPE_BITS+BASE_BITS-1:0];
-      dx_q      <= x[N-1:0];
-      r_q       <= r;
-    end
+    .base_i(segment1[BASE_BITS-1:0]), .slope_i(segment1[BASE_BITS +: SLOPE_BITS]), .dx_i(dx1), .result_o(r));
+  wrinkle_delay #(.WIDTH(OUTPUT_BITS + 1), .RANKS(PIPELINED)) rank2 (
+    .clk(clk), .advance_i(advance_i), .data_i(r), .data_o(r_o));
 endmodule
 `default_nettype wire
