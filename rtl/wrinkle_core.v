@@ -122,12 +122,12 @@ module wrinkle_core #(
     .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING),
     .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .BUFFERING(BUFFERING),
     .CHANNELS(CHANNELS), .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS), .GUARD_BITS(GUARD_BITS),
-    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS),
-    .UNIT_BITS(UNIT_BITS), .COLOUR_BITS(COLOUR_BITS), .DEPTH_BITS(DEPTH_BITS)
+    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS),
+    .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .UNIT_BITS(UNIT_BITS), .COLOUR_BITS(COLOUR_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) packet (
     .clk(clk), .rst(rst), .packet_valid_i(packet_valid_i), .packet_ready_o(packet_ready_o),
-    .packet_word_i(packet_word_i), .busy_i(fragments_busy), .walking_i(scan_busy), .word_o(packet_word), .scan_shift_o(scan_shift),
-    .plane_shift_o(plane_shift), .triangle_valid_o(triangle_valid), .triangle_take_i(triangle_take),
+    .packet_word_i(packet_word_i), .busy_i(fragments_busy), .walking_i(scan_busy), .word_o(packet_word),
+    .scan_shift_o(scan_shift), .plane_shift_o(plane_shift), .triangle_valid_o(triangle_valid), .triangle_take_i(triangle_take),
     .draw_bump_o(draw_bump), .draw_textured_o(draw_textured), .draw_shadow_o(draw_shadow),
     .draw_exponent_zero_o(draw_exponent_zero), .draw_wrap_u_o(draw_wrap_u), .draw_wrap_v_o(draw_wrap_v),
     .draw_log2_width_o(draw_log2_width), .draw_log2_height_o(draw_log2_height), .draw_max_level_o(draw_max_level),
@@ -274,8 +274,8 @@ module wrinkle_core #(
 
   wrinkle_normalize #(
     .DATAPATH(DATAPATH), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N),
-    .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H), .DEPTH(DEPTH), .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS),
-    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS),
+    .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H), .SHARING(SHARING), .DEPTH(DEPTH), .DECAL(DECAL),
+    .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS),
     .DEPTH_BITS(DEPTH_BITS)
   ) normalize (
     .clk(clk), .rst(rst), .draw_l_i(draw_l), .draw_h_i(draw_h), .in_valid_i(perturb_valid), .in_ready_o(perturb_ready),
@@ -294,8 +294,8 @@ module wrinkle_core #(
   wire unused_but_observed = &{1'b0, light_nl, light_nh};
 
   wrinkle_light #(
-    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .SELF_SHADOW(SELF_SHADOW), .DEPTH(DEPTH), .DECAL(DECAL),
-    .SCREEN_BITS(SCREEN_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS),
+    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .SHARING(SHARING), .SELF_SHADOW(SELF_SHADOW), .DEPTH(DEPTH),
+    .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS),
     .POWER_BITS(POWER_BITS), .SPECULAR_SQUARINGS(SPECULAR_SQUARINGS), .DEPTH_BITS(DEPTH_BITS)
   ) light (
     .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .draw_shadow_i(draw_shadow),

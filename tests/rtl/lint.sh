@@ -124,6 +124,14 @@ all_three "reflection, widest dots, no normalizers" \
   LIGHTING=2 NORMALIZER_N=0 NORMALIZER_L=0 NORMALIZER_H=0 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
 all_three "half-angle at every pixel" LIGHTING=3
 all_three "half-angle at every pixel, one normalizer" LIGHTING=3 NORMALIZER_N=0 NORMALIZER_L=0
+all_three "shared" SHARING=1
+all_three "single" BUFFERING=1
+all_three "single, perspective, decal" BUFFERING=1 PERSPECTIVE=1 DECAL=1
+all_three "single, blinn, cross products held" BUFFERING=1 DATAPATH=2 CROSS_PRODUCTS=1 LIGHT_VECTORS=1
+all_three "shared and single, no self-shadow, squarers used twice" \
+  SHARING=1 BUFFERING=1 SELF_SHADOW=0 SPECULAR_SQUARINGS=4 DEPTH=0 DECAL=1
+all_three "shared and single, phong, no power" SHARING=1 BUFFERING=1 DATAPATH=0 SELF_SHADOW=2 SPECULAR_SQUARINGS=0
+all_three "shared, largest" SHARING=1 SPECULAR_SQUARINGS=8 VECTOR_BITS=18 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
 
 for stage in $stages; do
   check "verilator wrinkle_$stage alone" verilator_lint "wrinkle_$stage"
