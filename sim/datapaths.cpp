@@ -7,6 +7,8 @@ std::vector<DatapathFrame> datapath_frames() {
       {0, {"phong", "patch_fig1", "phong", {}}},
       {0, {"tangent", "patch_fig6", "standard", {}}},
       {0, {"no_normalizer", "patch_fig6", "standard", {"normalizer_l=none", "normalizer_h=none"}}},
+      {0, {"sharing", "patch_fig6", "standard", {"sharing=on"}}},
+      {0, {"single_buffering", "patch_fig6", "standard", {"buffering=single"}}},
       {1, {"blinn", "patch_fig5", "blinn", {}}},
       {1, {"blinn_draw_exponent", "patch_fig5", "blinn", {"block_exponent=draw"}}},
       {1, {"blinn_constant", "patch_fig5", "blinn_constant", {}}},
