@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "golden/pixel/compact_geometry.h"
 #include "golden/pixel/reciprocal.h"
 #include "golden/pixel/rsqrt.h"
 
@@ -86,13 +87,30 @@ int unit_bits_of(const Config& c, int vector_bits) {
   return std::max({sum, table, product, bypass});
 }
 
+bool has_compact_unit(const Config& c) {
+  const auto is_compact = [](int normalizer) { return normalizer >= static_cast<int>(Normalizer::kCompact); };
+  return is_compact(c.normalizer_n) || is_compact(c.normalizer_l) || is_compact(c.normalizer_h);
+}
+
+// One unit of the kinds `compact`, `lite` and `near`, of which the first is the widest.
+int compact_unit_bits_of(const Config& c, int vector_bits) {
+  const CompactGeometry g = compact_geometry(Normalizer::kCompact, c.unit_bits, vector_bits);
+  const int sum = 2 * g.magnitude_bits + 3;
+  const int table = g.rsqrt.output_bits + g.rsqrt.guard_bits + 3 + g.rsqrt.offset_bits();
+  const int product = g.magnitude_bits + g.rsqrt.output_bits + 2;
+  return std::max({sum, table, product});
+}
+
 // V of the unit with the widest input.
 int widest_unit_input_bits(const Config& c) {
   const int sum_of_two = c.is(Lighting::kPixelHalfangle) ? c.unit_bits + 1 : 0;
   return std::max({c.vector_bits, c.normal_unit_input_bits(), sum_of_two});
 }
 
-int normalize_bits(const Config& c) { return unit_bits_of(c, widest_unit_input_bits(c)); }
+int normalize_bits(const Config& c) {
+  const int vector_bits = widest_unit_input_bits(c);
+  return std::max(unit_bits_of(c, vector_bits), has_compact_unit(c) ? compact_unit_bits_of(c, vector_bits) : 0);
+}
 
 int light_bits(const Config& c) {
   const auto magnitude = [&](int normalizer) {
@@ -197,7 +215,11 @@ int widest_operand_bits(const Config& config) {
 
 int lane_bits(const Config& config) {
   // Factors that the pixel stages multiply as halves of a lane: m, r, and intensities up to 1.
-  const int magnitude = widest_unit_input_bits(config) + 1, root = rsqrt_geometry(config.unit_bits).output_bits + 1;
+  int magnitude = widest_unit_input_bits(config) + 1, root = rsqrt_geometry(config.unit_bits).output_bits + 1;
+  if (has_compact_unit(config)) {
+    magnitude = std::max(magnitude, config.unit_bits + 1);
+    root = std::max(root, compact_rsqrt_geometry(config.unit_bits).output_bits + 1);
+  }
   const int intensity = config.power_bits + 1, colour = config.colour_bits + 1;
   const bool halves_fit = std::max({magnitude, root, intensity, colour}) <= 15;
   return widest_operand_bits(config) <= 32 && halves_fit ? 32 : 64;

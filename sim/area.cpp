@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -20,8 +21,8 @@ namespace {
 struct Options {
   std::string name = "standard", library = "osu035", effort = "area";
   std::vector<std::string> set, stages;
-  bool figures = false, fpga = false, place = false, no_flat = false, check = false, keep = false, plain_adders = false,
-       shading = false;
+  bool figures = false, normalizers = false, fpga = false, place = false, no_flat = false, check = false, keep = false,
+       plain_adders = false, shading = false;
   std::filesystem::path json;
 };
 
@@ -78,7 +79,27 @@ int run_figures(const Options& options) {
   return check_or_keep(options, kept);
 }
 
+// The most that a faithful normalizer is meant to take, in NAND2 of osu035, by F.
+const std::map<int, int> kNormalizerGoals{{8, 3300}, {10, 4800}, {12, 6100}, {16, 10200}};
+
+int run_normalizers(const Options& options) {
+  const std::vector<NormalizerArea> areas = measure_normalizers({8, 9, 10, 12, 16}, area_options(options));
+  nlohmann::json json{{"library", options.library}, {"normalizers", nlohmann::json::array()}};
+  fmt::print("logic of one normalizer in {}, without registers, V = F\n{:<10} {:>3} {:>10} {:>12} {:>9}  {}\n",
+             options.library, "kind", "F", "NAND2", "um^2", "path ns", "goal");
+  for (const NormalizerArea& area : areas) {
+    const auto goal = kNormalizerGoals.find(area.unit_bits);
+    fmt::print("{:<10} {:>3} {:>10.1f} {:>12.0f} {:>9.2f}  {}\n", normalizer_name(area.kind), area.unit_bits,
+               area.result.nand2, area.result.um2, area.result.critical_path_ns,
+               goal == kNormalizerGoals.end() ? "" : std::to_string(goal->second));
+    json["normalizers"].push_back(to_json(area));
+  }
+  write_json(options.json, json);
+  return kExitEqual;
+}
+
 int area(const Options& options) {
+  if (options.normalizers) return run_normalizers(options);
   if (options.figures || options.check || options.keep) return run_figures(options);
   const Config config = apply_overrides(load_config(options.name), options.set);
   if (options.shading) {
@@ -120,6 +141,8 @@ void add_area(CLI::App& app, Run& run) {
   command->add_flag("--shading", options->shading,
                     "Only what shades: interpolators of N, L, H to dot products and power");
   command->add_flag("--figures", options->figures, "Fig. 1, Fig. 2 and Fig. 3 of the paper");
+  command->add_flag("--normalizers", options->normalizers, "Every kind of normalizer at several widths, logic alone")
+      ->excludes("--figures");
   command->add_flag("--check", options->check, "The figures against tests/baselines/area.json; exit 1 when worse");
   command->add_flag("--keep", options->keep, "Write the figures to tests/baselines/area.json");
   add_json_option(*command, options->json);

@@ -3,16 +3,26 @@
 #include <algorithm>
 #include <utility>
 
+#include "golden/pixel/compact_geometry.h"
+
 namespace wrinkle {
 namespace {
 
+template <class Int, class Geometry>
+std::vector<Int> packed(const Geometry& g, const std::vector<Segment>& segments) {
+  const std::int64_t leading = std::int64_t{1} << (g.output_bits + g.guard_bits);
+  std::vector<Int> table;
+  for (const Segment& s : segments) table.push_back(static_cast<Int>(((s.base - leading) << kSlopeBits) | s.slope));
+  table.resize(std::max(table.size(), kSmallTable));
+  return table;
+}
+
 template <class Int>
 void fill(const Context& context, Tables<Int>& tables) {
-  const RsqrtGeometry& g = context.rsqrt;
-  const std::int64_t leading = std::int64_t{1} << (g.output_bits + g.guard_bits);
-  for (const Segment& s : rsqrt_table(g))
-    tables.rsqrt.push_back(static_cast<Int>(((s.base - leading) << kSlopeBits) | s.slope));
-  tables.rsqrt.resize(std::max(tables.rsqrt.size(), kSmallTable));
+  const CompactRsqrtGeometry& compact = compact_rsqrt_geometry(context.config.unit_bits);
+  tables.rsqrt = packed<Int>(context.rsqrt, rsqrt_table(context.rsqrt));
+  tables.compact_rsqrt = packed<Int>(compact, compact_rsqrt_table(compact));
+  tables.lite_rsqrt = packed<Int>(kLiteRsqrt, compact_rsqrt_table(kLiteRsqrt));
   if (context.config.perspective == 0) return;
   for (const Segment& s : reciprocal_table(context.reciprocal)) {
     tables.reciprocal_base.push_back(s.base);

@@ -23,7 +23,7 @@ inline constexpr std::size_t kSmallTable = 32;
 // Tables in lanes of one width.
 template <class Int>
 struct Tables {
-  std::vector<Int> rsqrt;  // (base - 2^(RB+g)) << kSlopeBits | slope
+  std::vector<Int> rsqrt, compact_rsqrt, lite_rsqrt;  // (base - 2^(RB+g)) << kSlopeBits | slope
   std::vector<Int> reciprocal_base, reciprocal_slope;
   std::array<Int, kLevels> level_offset{}, level_stride{};
 };
@@ -36,7 +36,8 @@ struct Constants {
   DrawWords draw;
   RsqrtGeometry rsqrt;
   ReciprocalGeometry reciprocal;
-  const Int *rsqrt_table, *reciprocal_base, *reciprocal_slope, *level_offset, *level_stride;
+  const Int *rsqrt_table, *compact_rsqrt_table, *lite_rsqrt_table;
+  const Int *reciprocal_base, *reciprocal_slope, *level_offset, *level_stride;
 };
 
 // One interpolated component and its place in a lane.
@@ -69,6 +70,8 @@ struct Context {
             rsqrt,
             reciprocal,
             tables->rsqrt.data(),
+            tables->compact_rsqrt.data(),
+            tables->lite_rsqrt.data(),
             tables->reciprocal_base.data(),
             tables->reciprocal_slope.data(),
             tables->level_offset.data(),

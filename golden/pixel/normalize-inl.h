@@ -6,6 +6,7 @@
 #define GOLDEN_PIXEL_NORMALIZE_INL_H_
 #endif
 
+#include "golden/pixel/compact-inl.h"
 #include "golden/pixel/context.h"
 #include "golden/pixel/lanes-inl.h"
 #include "golden/pixel/pixel.h"
@@ -13,11 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
-
-template <class L>
-struct Triple {
-  typename L::V x, y, z;
-};
 
 // rsqrt() of golden/pixel/rsqrt.h, lane by lane.
 template <bool kIsSmall, class L>
@@ -88,20 +84,44 @@ HWY_INLINE void normalize_columns(const L& l, const Columns& in, Columns& out, t
   }
 }
 
+template <Normalizer kKind, class L, class Columns>
+void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, int input_bits, const Columns& in,
+                               Columns& out, typename Columns::value_type& zero, int count) {
+  const CompactGeometry g = compact_geometry(kKind, c.config.unit_bits, input_bits);
+  const auto* table = kKind == Normalizer::kLite ? c.lite_rsqrt_table : c.compact_rsqrt_table;
+  if ((std::size_t{2} << g.rsqrt.segment_bits) <= kSmallTable)
+    normalize_columns(l, in, out, zero, count,
+                      [&](const Triple<L>& v) HWY_ATTR { return normalize_compact<kKind, true>(l, g, table, v); });
+  else
+    normalize_columns(l, in, out, zero, count,
+                      [&](const Triple<L>& v) HWY_ATTR { return normalize_compact<kKind, false>(l, g, table, v); });
+}
+
 // The kind of unit is chosen outside of its loop. Its input is s1.V with V = `input_bits`.
 template <class L, class Columns>
 void normalize_unit(const L& l, const Context& context, int normalizer, int input_bits, const Columns& in, Columns& out,
                     typename Columns::value_type& zero, int count) {
   auto c = context.constants<typename L::Int>();
   c.config.vector_bits = input_bits;
-  if (normalizer == static_cast<int>(Normalizer::kNone))
-    normalize_columns(l, in, out, zero, count, [&](const Triple<L>& v) HWY_ATTR { return normalize_none(l, c, v); });
-  else if ((std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable)
-    normalize_columns(l, in, out, zero, count,
-                      [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<true>(l, c, v); });
-  else
-    normalize_columns(l, in, out, zero, count,
-                      [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<false>(l, c, v); });
+  switch (static_cast<Normalizer>(normalizer)) {
+    case Normalizer::kNone:
+      normalize_columns(l, in, out, zero, count, [&](const Triple<L>& v) HWY_ATTR { return normalize_none(l, c, v); });
+      return;
+    case Normalizer::kFaithful:
+      if ((std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable)
+        normalize_columns(l, in, out, zero, count,
+                          [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<true>(l, c, v); });
+      else
+        normalize_columns(l, in, out, zero, count,
+                          [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<false>(l, c, v); });
+      return;
+    case Normalizer::kCompact:
+      return normalize_columns_compact<Normalizer::kCompact>(l, c, input_bits, in, out, zero, count);
+    case Normalizer::kLite:
+      return normalize_columns_compact<Normalizer::kLite>(l, c, input_bits, in, out, zero, count);
+    case Normalizer::kNear:
+      return normalize_columns_compact<Normalizer::kNear>(l, c, input_bits, in, out, zero, count);
+  }
 }
 
 template <class L, class Columns>

@@ -109,7 +109,9 @@ std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners,
                                    int normalizer) {
   std::array<Vec3, 3> vectors;
   for (std::size_t i = 0; i < 3; ++i) vectors[i] = corners.v[i]->*member;
-  if (config.perspective == 0 || normalizer == static_cast<int>(Normalizer::kNone)) return vectors;
+  const bool any_length =
+      normalizer != static_cast<int>(Normalizer::kNone) && normalizer != static_cast<int>(Normalizer::kNear);
+  if (config.perspective == 0 || !any_length) return vectors;
   const double largest = largest_q(corners);
   for (std::size_t i = 0; i < 3; ++i) {
     vectors[i] = std::max(corners.v[i]->q / largest, kSmallestVectorScale) * vectors[i];

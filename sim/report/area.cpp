@@ -164,6 +164,33 @@ Figures measure_figures(const Config& phong, const Config& blinn, const Config& 
   return figures;
 }
 
+std::vector<NormalizerArea> measure_normalizers(const std::vector<int>& unit_bits, const AreaOptions& options) {
+  SynthesisOptions synthesis = options.synthesis;
+  synthesis.sources = module_sources("wrinkle_unit_vector");
+  synthesis.registers = false;
+  std::vector<NormalizerArea> areas;
+  for (const Normalizer kind : {Normalizer::kFaithful, Normalizer::kCompact, Normalizer::kLite, Normalizer::kNear}) {
+    for (const int f : unit_bits) areas.push_back({kind, f, {}});
+  }
+  std::vector<std::function<void()>> jobs;
+  for (NormalizerArea& area : areas) {
+    jobs.push_back([&] {
+      const VerilogParameters parameters{
+          {"NORMALIZER", static_cast<int>(area.kind)}, {"VECTOR_BITS", area.unit_bits}, {"UNIT_BITS", area.unit_bits}};
+      area.result = synthesise("wrinkle_unit_vector", parameters, options.library, synthesis, options.progress);
+    });
+  }
+  run_all(jobs);
+  return areas;
+}
+
+std::string normalizer_name(Normalizer kind) {
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.member == &Config::normalizer_n) return std::string(parameter.values[static_cast<std::size_t>(kind)]);
+  }
+  return {};
+}
+
 std::string multiplier_text(const std::vector<Multiplier>& multipliers) {
   std::map<std::pair<int, int>, int> counts;
   for (const Multiplier& m : multipliers) ++counts[{std::max(m.a_bits, m.b_bits), std::min(m.a_bits, m.b_bits)}];
@@ -203,6 +230,15 @@ nlohmann::json to_json(const Figures& figures) {
   object["fig3_over_fig1"] = (figures.fig3.sum_nand2() - fig1) / fig1;
   object["fig2_over_fig1"] = (figures.fig2.sum_nand2() - fig1) / fig1;
   return object;
+}
+
+nlohmann::json to_json(const NormalizerArea& area) {
+  return {{"kind", normalizer_name(area.kind)},
+          {"unit_bits", area.unit_bits},
+          {"nand2", area.result.nand2},
+          {"um2", area.result.um2},
+          {"critical_path_ns", area.result.critical_path_ns},
+          {"provenance", area.result.provenance}};
 }
 
 }  // namespace wrinkle

@@ -57,10 +57,24 @@ struct Figures {
 };
 Figures measure_figures(const Config& phong, const Config& blinn, const Config& tangent, const AreaOptions& options);
 
+// One normalizer at V = F without its registers: its logic alone, and the path through all of its ranks.
+struct NormalizerArea {
+  Normalizer kind;
+  int unit_bits;  // F
+  SynthesisResult result;
+};
+
+// Every kind but `none`, at every F given.
+std::vector<NormalizerArea> measure_normalizers(const std::vector<int>& unit_bits, const AreaOptions& options);
+
+// Of Parameter::values of normalizer_n.
+std::string normalizer_name(Normalizer kind);
+
 // "2 of 11 x 11, 1 of 9 x 8"; "-" for none.
 std::string multiplier_text(const std::vector<Multiplier>& multipliers);
 
 nlohmann::json to_json(const AreaReport& report);
 nlohmann::json to_json(const Figures& figures);
+nlohmann::json to_json(const NormalizerArea& area);
 
 }  // namespace wrinkle

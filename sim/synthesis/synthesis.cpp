@@ -50,6 +50,14 @@ struct Job {
   std::string main_script() const { return is_standard_cells() ? "cells.ys" : cell_library_name(library) + ".ys"; }
 };
 
+// What a register becomes where none are wanted.
+constexpr const char* kWires = R"((* techmap_celltype = "$dff $dffe" *)
+module wires #(parameter WIDTH = 1, parameter CLK_POLARITY = 1, parameter EN_POLARITY = 1) (
+  input CLK, input EN, input [WIDTH-1:0] D, output [WIDTH-1:0] Q);
+  assign Q = D;
+endmodule
+)";
+
 fs::path scripts() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "scripts"; }
 
 std::vector<fs::path> verilog_files(const std::vector<fs::path>& folders, const std::string& extension) {
@@ -84,7 +92,11 @@ std::string filled_in(const Job& job, const std::string& script) {
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
   for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value);
   const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
-  const std::string map_signs = job.options.full_adders ? techmap("signed_multiply.v") + "opt\n" : "";
+  const std::string map_registers =
+      job.options.registers
+          ? ""
+          : fmt::format("opt_dff\ntechmap -map {}\nopt\nwreduce\nopt_clean\n", (job.folder / "wires.v").string());
+  const std::string map_signs = map_registers + (job.options.full_adders ? techmap("signed_multiply.v") + "opt\n" : "");
   const std::string map_adders = job.options.full_adders
                                      ? techmap("ripple.v") + "techmap\nopt -full\nextract_fa -fa\nopt_clean\n" +
                                            techmap("full_adder.v") + "techmap"
@@ -127,6 +139,7 @@ std::string run_script(const Job& job, const Arguments& tool, const std::string&
 SynthesisResult cell_counts(const Job& job) {
   if (job.is_standard_cells())
     std::ofstream(job.folder / "gates.lib") << without_pads(read_text(liberty_path(job.library)));
+  if (!job.options.registers) std::ofstream(job.folder / "wires.v") << kWires;
   run_script(job, {"yosys", "-Q", "-s"}, job.main_script());
   SynthesisResult result;
   result.cells = read_cells(job.folder / "stat.json");
@@ -195,6 +208,7 @@ std::string job_key(const Job& job) {
   if (job.is_standard_cells()) key.add(read_text(liberty_path(job.library)));
   key.add(fmt::format("{} {}", job.is_placed(), job.options.full_adders));
   key.add(job.options.effort);
+  if (!job.options.registers) key.add(kWires);
   key.add(provenance(job));
   return key.hex();
 }

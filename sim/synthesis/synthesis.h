@@ -25,6 +25,9 @@ struct SynthesisOptions {
   // Name of a script scripts/EFFORT.abc: `area`, smallest gates, then buffers and sizes; `speed`, the same for delay;
   // `unbuffered`, smallest gates alone, whose path through a net of many loads means nothing. Standard cells.
   std::string effort = "area";
+  // off: registers are wires, so that the area is that of the logic alone and the path goes through all ranks. For a
+  // pipeline without feedback. Standard cells.
+  bool registers = true;
   // iCE40: place and route, on an UP5K, between shift registers that stand in for pins.
   bool place_and_route = false;
   // Verilog files; empty: rtl/*.v and rtl/lib/*.v of this project.

@@ -16,9 +16,11 @@ using Vector = std::array<std::int64_t, 3>;
 // normalize of many vectors, by a context made once.
 class Unit {
  public:
-  Unit(int unit_bits, int vector_bits)
-      : context_(make_context(
-            with({{&Config::unit_bits, unit_bits}, {&Config::vector_bits, vector_bits}, {&Config::dot_bits, 6}}))) {}
+  Unit(int unit_bits, int vector_bits, Normalizer kind = Normalizer::kFaithful)
+      : context_(make_context(with({{&Config::unit_bits, unit_bits},
+                                    {&Config::vector_bits, vector_bits},
+                                    {&Config::dot_bits, 6},
+                                    {&Config::normalizer_n, static_cast<int>(kind)}}))) {}
 
   const Config& config() const { return context_.config; }
   Vector operator()(const Vector& v) {
@@ -65,15 +67,17 @@ TEST(Normalize, LanesAgree) { expect_lanes_agree(kNormalize, 8); }
 class NormalizeF : public testing::TestWithParam<int> {
  protected:
   int f() const { return GetParam(); }
+  void expect_faithful(Normalizer kind, const std::string& name);
+  void expect_extremes(Normalizer kind);
 };
 
 // -2^(V+1) saturates to -(2^(V+1) - 1), which costs at most the share of one input LSB: it is left out here and has its
 // own test (22, 23).
-TEST_P(NormalizeF, IsFaithful) {
-  Worst worst("normalize, F = " + std::to_string(f()) + ", ulp", 1.0);
+void NormalizeF::expect_faithful(Normalizer kind, const std::string& name) {
+  Worst worst("normalize " + name + ", F = " + std::to_string(f()) + ", ulp", 1.0);
   Random random(base_seed());
   for (int v_bits = 5; v_bits <= 18; ++v_bits) {
-    Unit unit(f(), v_bits);
+    Unit unit(f(), v_bits, kind);
     for (int i = 0; i < 3000; ++i) {
       Vector v = random_vector(random, v_bits);
       for (auto& c : v) c = std::max(c, 1 - (std::int64_t{2} << v_bits));
@@ -86,9 +90,12 @@ TEST_P(NormalizeF, IsFaithful) {
   EXPECT_LT(worst.worst(), 1.0);
 }
 
-TEST_P(NormalizeF, ExtremesOfVectors) {
+TEST_P(NormalizeF, IsFaithful) { expect_faithful(Normalizer::kFaithful, "faithful"); }
+TEST_P(NormalizeF, CompactIsFaithful) { expect_faithful(Normalizer::kCompact, "compact"); }
+
+void NormalizeF::expect_extremes(Normalizer kind) {
   for (int v_bits : {5, 6, 7, 10, 15, 18}) {
-    Unit unit(f(), v_bits);
+    Unit unit(f(), v_bits, kind);
     const std::int64_t one = std::int64_t{1} << f(), low = -(std::int64_t{2} << v_bits), high = -low - 1;
     SCOPED_TRACE("V = " + std::to_string(v_bits));
     EXPECT_EQ(unit({0, 0, 0}), Vector{}) << "19, 21: the zero vector stays zero";
@@ -108,6 +115,9 @@ TEST_P(NormalizeF, ExtremesOfVectors) {
     }
   }
 }
+
+TEST_P(NormalizeF, ExtremesOfVectors) { expect_extremes(Normalizer::kFaithful); }
+TEST_P(NormalizeF, ExtremesOfVectorsCompact) { expect_extremes(Normalizer::kCompact); }
 
 // 25: sums of squares about powers of four; 26: T at each segment boundary and its neighbours, for every length.
 TEST_P(NormalizeF, SumsAboutPowersOfFourAndSegmentBoundaries) {
@@ -168,6 +178,58 @@ TEST_P(NormalizeF, ZeroIsFlagged) {
 
 INSTANTIATE_TEST_SUITE_P(EveryF, NormalizeF, testing::Range(6, 17),
                          [](const auto& f) { return "F" + std::to_string(f.param); });
+
+// Interpolated between unit vectors less than 120 degrees apart, a vector is 1/2 to 1 long: there `near` is faithful. A
+// vector of any other length keeps its signs and stays in s1.F.
+TEST_P(NormalizeF, NearIsFaithfulFromHalfToOne) {
+  Worst worst("normalize near, F = " + std::to_string(f()) + ", ulp", 1.0);
+  Random random(base_seed());
+  for (int v_bits : {5, 8, 9, 12, 16, 18}) {
+    Unit unit(f(), v_bits, Normalizer::kNear);
+    const std::int64_t one = std::int64_t{1} << v_bits, most = std::int64_t{2} << f();
+    EXPECT_EQ(unit({0, 0, 0}), Vector{});
+    EXPECT_EQ(unit({one, 0, 0}), (Vector{most / 2, 0, 0}));
+    EXPECT_EQ(unit({0, -one / 2, 0}), (Vector{0, -most / 2, 0}));
+    for (int i = 0; i < 5000; ++i) {
+      const Vector v{uniform(random, -one, one), uniform(random, -one, one), uniform(random, -one, one)};
+      const Vector n = unit(v);
+      const std::int64_t squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+      if (4 * squared >= one * one && squared <= one * one) worst.see(error_ulp(unit.config(), v, n), print(v));
+      for (std::size_t k = 0; k < 3; ++k) {
+        ASSERT_TRUE(n[k] == 0 || (n[k] < 0) == (v[k] < 0)) << print(v);
+        ASSERT_LT(std::abs(n[k]), most) << print(v);
+      }
+      ASSERT_EQ(unit({-v[0], -v[1], -v[2]}), (Vector{-n[0], -n[1], -n[2]})) << print(v);
+    }
+  }
+  EXPECT_LT(worst.worst(), 1.0);
+}
+
+// `lite`: sqrt(3) / 2 ulp of rounding at the least length turn a vector by no more than this; its length is within 3 %.
+TEST_P(NormalizeF, LiteKeepsTheDirection) {
+  constexpr double kDegrees = 57.29577951308232;
+  const double bound = std::asin(std::ldexp(std::sqrt(0.75), -f()) / 0.97) * kDegrees;
+  Worst worst("normalize lite, F = " + std::to_string(f()) + ", degrees", bound);
+  Random random(base_seed());
+  for (int v_bits : {5, 8, 9, 12, 18}) {
+    Unit unit(f(), v_bits, Normalizer::kLite);
+    EXPECT_EQ(unit({0, 0, 0}), Vector{});
+    for (int i = 0; i < 5000; ++i) {
+      Vector v = random_vector(random, v_bits);
+      for (auto& c : v) c = std::max(c, 1 - (std::int64_t{2} << v_bits));
+      if (v == Vector{}) continue;
+      const Vector n = unit(v);
+      const Vec3 a{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+      const Vec3 b{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
+      const double sine = length(cross(a, b)) / (length(a) * length(b));
+      worst.see(std::asin(sine) * kDegrees, print(v));
+      const double rounding = std::ldexp(1.0, -f());
+      ASSERT_NEAR(std::ldexp(length(b), -f()), 1.0, 0.03 + rounding) << print(v);
+      ASSERT_EQ(unit({-v[0], -v[1], -v[2]}), (Vector{-n[0], -n[1], -n[2]})) << print(v);
+    }
+  }
+  EXPECT_LE(worst.worst(), bound);
+}
 
 // `none`: saturate(round_half_up(v, V - F)), half an ulp unless it saturates.
 TEST(Normalize, NoneRounds) {

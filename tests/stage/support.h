@@ -63,6 +63,23 @@ inline std::vector<NamedConfig> configurations(int random_count = 12) {
       {"phong with decal", with({{&Config::datapath, 0}, {&Config::decal, 1}})},
       {"diffuse", with({{&Config::lighting, 0}, {&Config::channels, 0}})},
       {"no normalizers", with({{&Config::normalizer_n, 0}, {&Config::normalizer_l, 0}, {&Config::normalizer_h, 0}})},
+      {"compact, lite and near",
+       with({{&Config::normalizer_n, 2}, {&Config::normalizer_l, 3}, {&Config::normalizer_h, 4}})},
+      {"wide compact, lite and near", with({{&Config::datapath, 2},
+                                            {&Config::wide_bits, 22},
+                                            {&Config::unit_bits, 16},
+                                            {&Config::normalizer_n, 2},
+                                            {&Config::normalizer_l, 4},
+                                            {&Config::normalizer_h, 3}})},
+      {"compact at half-angle of the pixel", with({{&Config::lighting, 3},
+                                                   {&Config::normalizer_n, 3},
+                                                   {&Config::normalizer_l, 4},
+                                                   {&Config::normalizer_h, 2}})},
+      {"widest compact in 32 bits", with({{&Config::vector_bits, 12},
+                                          {&Config::unit_bits, 12},
+                                          {&Config::normalizer_n, 2},
+                                          {&Config::normalizer_l, 2},
+                                          {&Config::normalizer_h, 2}})},
       {"hard shadow", with({{&Config::self_shadow, 1}})},
       {"no shadow", with({{&Config::self_shadow, 0}})},
       {"smooth shadow", with({{&Config::self_shadow, 2}})},
@@ -103,6 +120,7 @@ inline Range range_of(const Config& config, const Value& value) {
                            : value.name == "l" ? config.normalizer_l
                                                : config.normalizer_h;
     const std::int64_t one = up_to(value.fraction_bits);
+    if (normalizer == static_cast<int>(Normalizer::kLite)) return {-one - one / 32, one + one / 32};
     if (normalizer != static_cast<int>(Normalizer::kNone)) return {-one, one};
   }
   if (value.name == "lod" && config.perspective == 0) return {0, up_to(value.width - 2) - 1};

@@ -52,6 +52,25 @@ module multiply_add (input signed [7:0] a_i, input signed [5:0] b_i, input [13:0
 endmodule
 )";
 
+// The register with its enable goes, the logic stays, and the path is that from pin to pin.
+TEST_F(Synthesis, RegistersCanBeWires) {
+  source(R"(
+module held_nand (input clk, input advance_i, input a_i, input b_i, output q_o);
+  reg early_q, late_q;
+  always @(posedge clk) if (advance_i) early_q <= ~(a_i & b_i);
+  always @(posedge clk) late_q <= early_q;
+  assign q_o = late_q;
+endmodule
+)");
+  const SynthesisResult whole = synthesise("held_nand", {}, CellLibrary::kOsu035, options_);
+  options_.registers = false;
+  const SynthesisResult logic = synthesise("held_nand", {}, CellLibrary::kOsu035, options_);
+  EXPECT_EQ(whole.flip_flops, 2);
+  EXPECT_EQ(logic.flip_flops, 0);
+  EXPECT_THAT(logic.cells, UnorderedElementsAre(Pair("NAND2X1", 1)));
+  EXPECT_GT(logic.critical_path_ns, 0);
+}
+
 TEST_F(Synthesis, AreaIsTheSumOfTheCellsByHand) {
   source(kRegisteredNand);
   const SynthesisResult one = synthesise("registered_nand", {}, CellLibrary::kOsu035, options_);

@@ -1,0 +1,22 @@
+`default_nettype none
+// negative ? -magnitude : magnitude. Combinational.
+module wrinkle_signed #(
+  parameter BITS = 10
+) (
+  input  wire [BITS-1:0] magnitude_i,
+  input  wire            negative_i,
+  output wire [BITS:0]   value_o
+);
+  function [BITS:0] inverted;
+    input [BITS-1:0] magnitude;
+    input            negative;
+    integer a;
+    begin
+      inverted = {(BITS + 1){1'b0}};
+      for (a = 1; a <= BITS; a = a + 1) inverted[a] = inverted[a-1] | (negative & magnitude[a-1]);
+    end
+  endfunction
+
+  assign value_o = {1'b0, magnitude_i} ^ inverted(magnitude_i, negative_i);
+endmodule
+`default_nettype wire
