@@ -1,8 +1,10 @@
 `default_nettype none
-// N, L and H to unit length by one normalizer in turn: a fragment in three clocks, H in the first, L in the second, N in
-// the third, each caught in a register of its own. The fragment waits at the input meanwhile and is taken in the third
-// clock, so that only one set of registers is needed. Valid and payload hold until taken; beyond that l_o holds for one
-// clock and n_o for two, in which wrinkle_shared_light still looks at them. Latency 3.
+// N, L and H to unit length by one normalizer in turn: a fragment in three clocks, in which it waits at the input. H goes
+// in in the first, L in the second, N in the third. The normalizer has two ranks and never stops: when H comes out, the
+// fragment is taken if the one before has left or is leaving, and H, L and N are caught in three clocks; if not, all three
+// go in again. So neither the ranks of the normalizer nor the tag need room for a stall.
+// Valid and payload hold until taken; beyond that l_o holds for one clock and n_o for two, in which wrinkle_shared_light
+// still looks at them. Latency 5.
 module wrinkle_shared_units #(
   parameter NORMALIZER  = 1,   // not none
   parameter VECTOR_BITS = 9,   // V
@@ -28,39 +30,46 @@ module wrinkle_shared_units #(
 );
   localparam UNIT = 3 * (UNIT_BITS + 2);
 
-  reg  second_q, third_q, full_q;
-  wire first = in_valid_i & ~second_q & ~third_q & (~full_q | out_ready_i);
+  // What goes in, L or N, else H; and what is caught after H: L, N.
+  reg  in_l_q, in_n_q, out_l_q, out_n_q, full_q;
+  wire take = in_n_q & (~full_q | out_ready_i);
 
-  wire [3*(VECTOR_BITS+2)-1:0] vector = third_q ? n_i : second_q ? l_i : h_i;
+  wire [3*(VECTOR_BITS+2)-1:0] vector = in_n_q ? n_i : in_l_q ? l_i : h_i;
   wire [UNIT-1:0] unit;
   wire            zero;
 
   wrinkle_unit_vector #(
-    .NORMALIZER(NORMALIZER), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .RANKS(0)
+    .NORMALIZER(NORMALIZER), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .RANKS(2)
   ) unit_vector (.clk(clk), .advance_i(1'b1), .vector_i(vector), .unit_o(unit), .zero_o(zero));
 
   reg [UNIT-1:0]     n_q, l_q, h_q;
   reg                zero_q;
   reg [TAG_BITS-1:0] tag_q;
 
-  assign in_ready_o  = third_q;
+  assign in_ready_o  = take;
   assign out_valid_o = full_q;
   assign n_o         = n_q;
   assign l_o         = l_q;
   assign h_o         = h_q;
   assign zero_o      = zero_q;
   assign tag_o       = tag_q;
-  assign busy_o      = second_q | third_q | full_q;
+  assign busy_o      = in_l_q | in_n_q | out_l_q | out_n_q | full_q;
 
   always @(posedge clk)
-    if (rst) {second_q, third_q, full_q} <= 3'b000;
-    else {second_q, third_q, full_q} <= {first, second_q, third_q | (full_q & ~out_ready_i)};
+    if (rst) {in_l_q, in_n_q, out_l_q, out_n_q, full_q} <= 5'd0;
+    else begin
+      in_l_q  <= in_valid_i & ~in_l_q & ~in_n_q;
+      in_n_q  <= in_l_q;
+      out_l_q <= take;
+      out_n_q <= out_l_q;
+      full_q  <= out_n_q | (full_q & ~out_ready_i);
+    end
 
   always @(posedge clk) begin
-    if (first) h_q <= unit;
-    if (second_q) l_q <= unit;
-    if (third_q) {n_q, tag_q} <= {unit, tag_i};
-    if (first | second_q | third_q) zero_q <= zero | (zero_q & ~first);
+    if (take) {h_q, tag_q} <= {unit, tag_i};
+    if (out_l_q) l_q <= unit;
+    if (out_n_q) n_q <= unit;
+    if (take | out_l_q | out_n_q) zero_q <= zero | (zero_q & ~take);
   end
 endmodule
 `default_nettype wire
