@@ -70,6 +70,15 @@ yosys_run() { # SCRIPT TOP [NAME=VALUE...]
 yosys_check() { yosys_run "proc; check -assert" "$@"; }
 yosys_synthesize() { yosys_run "synth -run coarse: -noabc; check -assert" "$@"; }
 
+# What a stage has of sharing and single buffering.
+sharing_of() {
+  case "$1" in
+    packet) echo BUFFERING=1 ;;
+    scan | interpolate) echo SHARING=1 BUFFERING=1 ;;
+    *) echo SHARING=1 ;;
+  esac
+}
+
 all_three() { # NAME [NAME=VALUE...]
   configuration=$1
   shift
@@ -147,6 +156,10 @@ for stage in packet interpolate perspective texture perturb normalize light; do
       yosys_synthesize "wrinkle_$stage" DATAPATH=$datapath
   done
 done
+for stage in packet scan interpolate normalize light; do
+  check "yosys     wrinkle_$stage alone, shared and single, synthesized" \
+    yosys_synthesize "wrinkle_$stage" $(sharing_of "$stage")
+done
 for lighting in 2 3; do
   check "yosys     wrinkle_normalize alone, lighting $lighting, synthesized" \
     yosys_synthesize wrinkle_normalize LIGHTING=$lighting
@@ -166,6 +179,11 @@ refused "icarus refuses blinn without a normalizer" wrinkle_error_normalizer_n_m
   icarus_lint wrinkle_core DATAPATH=2 NORMALIZER_N=0
 refused "yosys refuses a half-angle at every pixel without a normalizer" \
   wrinkle_error_normalizer_h_must_take_any_length yosys_check wrinkle_core LIGHTING=3 NORMALIZER_H=0
+refused "verilator refuses to share constant light vectors" wrinkle_error_sharing_is_of_n_l_h \
+  verilator_lint wrinkle_core SHARING=1 LIGHT_VECTORS=1
+refused "icarus refuses to share two kinds of normalizer" wrinkle_error_sharing_is_of_n_l_h \
+  icarus_lint wrinkle_core SHARING=1 NORMALIZER_H=0
+refused "yosys refuses BUFFERING=2" wrinkle_error_buffering yosys_check wrinkle_core BUFFERING=2
 refused "verilator refuses FILTER=3" wrinkle_error_filter verilator_lint wrinkle_core FILTER=3
 refused "icarus refuses DOT_BITS > 2 UNIT_BITS" wrinkle_error_dot_bits_exceeds icarus_lint wrinkle_core UNIT_BITS=6 \
   DOT_BITS=13 POWER_BITS=13
