@@ -2,8 +2,8 @@
 // Takes the word stream apart [docs/formats.md]. Words of a triangle go to the shadow registers of scan and
 // interpolate, and `triangle_valid_o` says that they hold a whole packet; the next packet waits until it is taken. A
 // draw packet waits until no fragment is in flight, so that its state is constant to every stage. With BUFFERING single
-// the planes of a triangle go to the interpolators themselves, and wait until the walk of the one before has ended. A word
-// that is no opcode is skipped. Latency 1 into the shadow registers. Does not look at any field of a triangle.
+// the planes of a triangle go to the interpolators themselves, and wait until the walk of the one before has ended. A
+// word that is no opcode is skipped. Latency 1 into the shadow registers. Does not look at any field of a triangle.
 module wrinkle_packet #(
   parameter DATAPATH        = 1,
   parameter CROSS_PRODUCTS  = 0,
@@ -38,6 +38,7 @@ module wrinkle_packet #(
   output wire [63:0] word_o,
   output wire        scan_shift_o,        // word_o is of the scan part
   output wire        plane_shift_o,       // ... of the planes part
+  output wire        plane_last_o,        // ... its last word
   output wire        triangle_valid_o,
   input  wire        triangle_take_i,     // only while triangle_valid_o
   output wire        draw_bump_o,
@@ -106,6 +107,7 @@ module wrinkle_packet #(
   assign word_o           = word;
   assign scan_shift_o     = triangle & ~scan_done;
   assign plane_shift_o    = triangle & scan_done;
+  assign plane_last_o     = index_q == LAST_WORD;
   assign triangle_valid_o = loaded_q;
   assign busy_o           = word_valid | ~opcode | loaded_q;
 

@@ -4,8 +4,8 @@
 // nor a new triangle costs a clock, unless rows are empty. Tells wrinkle_interpolate every step, in the clock in which
 // it is made. A span's last pixel waits until the row engine knows whether more of the triangle follows. Latency 2 from
 // the packet. Does not clip: set-up lets no row leave the screen.
-// With SHARING on and BUFFERING single an interpolator has one adder, and the walk it is told has one sum a clock: a row
-// that the pixel engine takes or that is empty is stepped over in the clock after, in one more where the start edge
+// With SHARING on and BUFFERING single an interpolator has one adder, and the walk it is told has one sum a clock: a
+// row that the pixel engine takes or that is empty is stepped over in the clock after, in one more where the start edge
 // carries, and no pixel is offered meanwhile.
 module wrinkle_scan #(
   parameter SHARING       = 0,

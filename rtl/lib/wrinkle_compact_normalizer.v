@@ -1,11 +1,11 @@
 `default_nettype none
 // A vector to unit length from truncated squares and products; zero stays zero, n(-v) = -n(v). KIND 2, compact: each
 // component off by less than 1 ulp, exact on the axes. 3, lite: the direction alone, the length within 3 %. 4, near: as
-// compact, for lengths of 1/2 to 1, where the shift is not needed. Latency 5; with PIPELINED 2
-// two, after the sum of squares and after the root; with PIPELINED 0 none.
+// compact, for lengths of 1/2 to 1, where the shift is not needed. Latency 5; with PIPELINED 2 two, after the sum of
+// squares and after the root; with PIPELINED 0 none.
 // Sign and magnitude: the magnitudes are shifted up together by the leading zeros of their OR; S is the sum of their
-// squares, r = 1/sqrt of its leading bits, each component m * r. The one value -2^(V+1) saturates. Does not compute what
-// the kind `faithful` does: an ulp may differ. [docs/architecture.md, golden/pixel/compact_geometry.h]
+// squares, r = 1/sqrt of its leading bits, each component m * r. The one value -2^(V+1) saturates. Does not compute
+// what the kind `faithful` does: an ulp may differ. [docs/architecture.md, golden/pixel/compact_geometry.h]
 module wrinkle_compact_normalizer #(
   parameter KIND        = 2,
   parameter VECTOR_BITS = 9,  // V

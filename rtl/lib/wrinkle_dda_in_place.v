@@ -1,7 +1,7 @@
 `default_nettype none
 // One interpolated component whose packet fields are its registers: a digital differential analyser like wrinkle_dda
-// without a second set of them, so that the next packet shifts in only after the last pixel of this one. Four registers:
-// value at the start of the row, row, dw, and the value at the pixel.
+// without a second set of them, so that the next packet shifts in only after the last pixel of this one. Four
+// registers: value at the start of the row, row, dw, and the value at the pixel.
 // SHARING 0: an adder for each sum. 1: one adder, and the walk of wrinkle_scan tells at most one of its sums a clock:
 // `step` adds row to the row's value, `carry` dw, `pixel` dw to the pixel's value, `span` nothing to the row's value.
 // All values modulo 2^(WIDTH + GUARD). Latency 0 from its registers. Does not clamp.
@@ -11,7 +11,7 @@ module wrinkle_dda_in_place #(
   parameter SHARING = 0
 ) (
   input  wire                       clk,
-  input  wire                       shift_i,   // words of the next packet, never during a walk
+  input  wire [3*(WIDTH+GUARD)-1:0] shift_i,   // bits that take those of next_i, never during a walk
   input  wire [3*(WIDTH+GUARD)-1:0] next_i,    // what shifts in: {dw, row, value}
   input  wire                       step_i,    // the walk
   input  wire                       carry_i,
@@ -48,8 +48,8 @@ module wrinkle_dda_in_place #(
   endgenerate
 
   always @(posedge clk) begin
-    if (shift_i) {dw_q, row_q, row_value_q} <= next_i;
-    else if (to_row) row_value_q <= next_row_value;
+    {dw_q, row_q, row_value_q} <= (shift_i & next_i) |
+                                  (~shift_i & {dw_q, row_q, to_row ? next_row_value : row_value_q});
     if (to_pixel) value_q <= next_value;
   end
 endmodule

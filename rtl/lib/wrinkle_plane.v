@@ -9,7 +9,6 @@ module wrinkle_plane #(
   parameter BUFFERING = 0
 ) (
   input  wire                       clk,
-  input  wire                       shift_i,   // fields from next_i; single only: in double they are those of a shadow
   input  wire                       load_i,    // the walk: see wrinkle_dda
   input  wire                       step_i,
   input  wire                       carry_i,
@@ -17,8 +16,9 @@ module wrinkle_plane #(
   input  wire                       first_i,
   input  wire                       pixel_i,
   input  wire [3*(WIDTH+GUARD)-1:0] shadow_i,  // double: this part of the shadow
-  input  wire [3*(WIDTH+GUARD)-1:0] next_i,    // single: what shifts in
-  output wire [3*(WIDTH+GUARD)-1:0] fields_o,  // ... and what is there now; double: 0
+  input  wire [3*(WIDTH+GUARD)-1:0] shift_i,   // single: which bits of it take those of next_i
+  input  wire [3*(WIDTH+GUARD)-1:0] next_i,
+  output wire [3*(WIDTH+GUARD)-1:0] fields_o,  // ... and what is there; double: 0
   output wire [WIDTH-1:0]           value_o
 );
   localparam BITS = WIDTH + GUARD;

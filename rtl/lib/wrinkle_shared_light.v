@@ -1,7 +1,7 @@
 `default_nettype none
 // The light stage with one dot product in turn: N.H in the clock in which a fragment is taken, N.L in the next, and the
-// power by SQUARERS = ceil(K/3) squarers in a row, used up to three times. n_i holds for the clock after the transfer and
-// l_i too, as wrinkle_shared_units does it. A fragment in three clocks. Latency 3; 4 with SELF_SHADOW, or where the
+// power by SQUARERS = ceil(K/3) squarers in a row, used up to three times. n_i holds for the clock after the transfer
+// and l_i too, as wrinkle_shared_units does it. A fragment in three clocks. Latency 3; 4 with SELF_SHADOW, or where the
 // squarers are used a third time.
 module wrinkle_shared_light #(
   parameter DATAPATH           = 1,

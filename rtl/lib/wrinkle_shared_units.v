@@ -1,10 +1,10 @@
 `default_nettype none
-// N, L and H to unit length by one normalizer in turn: a fragment in three clocks, in which it waits at the input. H goes
-// in in the first, L in the second, N in the third. The normalizer has two ranks and never stops: when H comes out, the
-// fragment is taken if the one before has left or is leaving, and H, L and N are caught in three clocks; if not, all three
-// go in again. So neither the ranks of the normalizer nor the tag need room for a stall.
-// Valid and payload hold until taken; beyond that l_o holds for one clock and n_o for two, in which wrinkle_shared_light
-// still looks at them. Latency 5.
+// N, L and H to unit length by one normalizer in turn: a fragment in three clocks, in which it waits at the input. H
+// goes in in the first, L in the second, N in the third. The normalizer has two ranks and never stops: when H comes
+// out, the fragment is taken if the one before has left or is leaving, and H, L and N are caught in three clocks; if
+// not, all three go in again. So neither the ranks of the normalizer nor the tag need room for a stall.
+// Valid and payload hold until taken; beyond that l_o holds for one clock and n_o for two, in which
+// wrinkle_shared_light still looks at them. Latency 5.
 module wrinkle_shared_units #(
   parameter NORMALIZER  = 1,   // not none
   parameter VECTOR_BITS = 9,   // V

@@ -1,7 +1,7 @@
 `default_nettype none
 // One vector of the normalize stage: NORMALIZER 1 by wrinkle_normalizer, 2 to 4 by a wrinkle_compact_normalizer of that
-// kind; 0 only rounded to s1.F and saturated, for a vector that is of unit length already. Latency RANKS, at least 5 with
-// a normalizer and 1 without; or 2 with a normalizer, three steps of about the same length.
+// kind; 0 only rounded to s1.F and saturated, for a vector that is of unit length already. Latency RANKS, at least 5
+// with a normalizer and 1 without; or 2 with a normalizer, three steps of about the same length.
 module wrinkle_unit_vector #(
   parameter NORMALIZER  = 1,
   parameter VECTOR_BITS = 9,  // V
