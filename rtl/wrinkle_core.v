@@ -105,7 +105,7 @@ module wrinkle_core #(
 
   // packet
   wire [63:0] packet_word;
-  wire        scan_shift, plane_shift, triangle_valid, triangle_take, packet_busy;
+  wire        scan_shift, plane_shift, plane_last, triangle_valid, triangle_take, packet_busy;
   wire        draw_bump, draw_textured, draw_shadow, draw_exponent_zero;
   wire [1:0]  draw_wrap_u, draw_wrap_v;
   wire [3:0]  draw_log2_width, draw_log2_height, draw_max_level, draw_squarings;
@@ -120,14 +120,15 @@ module wrinkle_core #(
 
   wrinkle_packet #(
     .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING),
-    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .CHANNELS(CHANNELS),
-    .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS), .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS),
-    .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS),
-    .UNIT_BITS(UNIT_BITS), .COLOUR_BITS(COLOUR_BITS), .DEPTH_BITS(DEPTH_BITS)
+    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .BUFFERING(BUFFERING),
+    .CHANNELS(CHANNELS), .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS), .GUARD_BITS(GUARD_BITS),
+    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS),
+    .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .UNIT_BITS(UNIT_BITS), .COLOUR_BITS(COLOUR_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) packet (
     .clk(clk), .rst(rst), .packet_valid_i(packet_valid_i), .packet_ready_o(packet_ready_o),
-    .packet_word_i(packet_word_i), .busy_i(fragments_busy), .word_o(packet_word), .scan_shift_o(scan_shift),
-    .plane_shift_o(plane_shift), .triangle_valid_o(triangle_valid), .triangle_take_i(triangle_take),
+    .packet_word_i(packet_word_i), .busy_i(fragments_busy), .walking_i(scan_busy), .word_o(packet_word),
+    .scan_shift_o(scan_shift), .plane_shift_o(plane_shift), .plane_last_o(plane_last),
+    .triangle_valid_o(triangle_valid), .triangle_take_i(triangle_take),
     .draw_bump_o(draw_bump), .draw_textured_o(draw_textured), .draw_shadow_o(draw_shadow),
     .draw_exponent_zero_o(draw_exponent_zero), .draw_wrap_u_o(draw_wrap_u), .draw_wrap_v_o(draw_wrap_v),
     .draw_log2_width_o(draw_log2_width), .draw_log2_height_o(draw_log2_height), .draw_max_level_o(draw_max_level),
@@ -141,7 +142,7 @@ module wrinkle_core #(
   wire [SCREEN_BITS-1:0] scan_x, scan_y;
 
   wrinkle_scan #(
-    .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS)
+    .SHARING(SHARING), .BUFFERING(BUFFERING), .SCREEN_BITS(SCREEN_BITS), .SUBPIXEL_BITS(SUBPIXEL_BITS)
   ) scan (
     .clk(clk), .rst(rst), .shift_i(scan_shift), .word_i(packet_word), .triangle_valid_i(triangle_valid),
     .load_o(triangle_take), .step_o(walk_step), .carry_o(walk_carry), .span_o(walk_span), .first_o(walk_first),
@@ -186,11 +187,12 @@ module wrinkle_core #(
 
   wrinkle_interpolate #(
     .DATAPATH(DATAPATH), .CROSS_PRODUCTS(CROSS_PRODUCTS), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING),
-    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .GUARD_BITS(GUARD_BITS),
-    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS),
-    .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .DEPTH_BITS(DEPTH_BITS)
+    .FILTER(FILTER), .PERSPECTIVE(PERSPECTIVE), .DEPTH(DEPTH), .DECAL(DECAL), .SHARING(SHARING), .BUFFERING(BUFFERING),
+    .GUARD_BITS(GUARD_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .UV_INTEGER_BITS(UV_INTEGER_BITS),
+    .UV_BITS(UV_BITS), .Q_BITS(Q_BITS), .LOD_BITS(LOD_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) interpolate (
-    .clk(clk), .shift_i(plane_shift), .word_i(packet_word), .load_i(triangle_take), .step_i(walk_step),
+    .clk(clk), .shift_i(plane_shift), .last_i(plane_last), .word_i(packet_word), .load_i(triangle_take),
+    .step_i(walk_step),
     .carry_i(walk_carry), .span_i(walk_span), .first_i(walk_first), .pixel_i(walk_pixel), .n_o(interpolate_n),
     .a_o(interpolate_a), .b_o(interpolate_b), .c_o(interpolate_c), .l_o(interpolate_l), .h_o(interpolate_h),
     .u_o(interpolate_u), .v_o(interpolate_v), .q_o(interpolate_q), .lod_o(interpolate_lod), .z_o(interpolate_z));
@@ -274,9 +276,9 @@ module wrinkle_core #(
 
   wrinkle_normalize #(
     .DATAPATH(DATAPATH), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N),
-    .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H), .DEPTH(DEPTH), .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS),
-    .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS),
-    .DEPTH_BITS(DEPTH_BITS)
+    .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H), .SHARING(SHARING), .DEPTH(DEPTH), .DECAL(DECAL),
+    .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .TEXEL_BITS(TEXEL_BITS),
+    .UNIT_BITS(UNIT_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) normalize (
     .clk(clk), .rst(rst), .draw_l_i(draw_l), .draw_h_i(draw_h), .in_valid_i(perturb_valid), .in_ready_o(perturb_ready),
     .n_i(perturb_n), .l_i(perturb_l), .h_i(perturb_h), .decal_i(perturb_decal), .tag_i(perturb_tag),
@@ -294,8 +296,8 @@ module wrinkle_core #(
   wire unused_but_observed = &{1'b0, light_nl, light_nh};
 
   wrinkle_light #(
-    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .SELF_SHADOW(SELF_SHADOW), .DEPTH(DEPTH), .DECAL(DECAL),
-    .SCREEN_BITS(SCREEN_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS),
+    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .SHARING(SHARING), .SELF_SHADOW(SELF_SHADOW), .DEPTH(DEPTH),
+    .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS),
     .POWER_BITS(POWER_BITS), .SPECULAR_SQUARINGS(SPECULAR_SQUARINGS), .DEPTH_BITS(DEPTH_BITS)
   ) light (
     .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .draw_shadow_i(draw_shadow),

@@ -4,10 +4,12 @@
 //   shadow factor g of s = bump ? L.z : N.L:  hard (s > 0);  smooth min(8 s, 1)
 //   diffuse = nl * g, specular = nl > 0 ? power * g : 0;  without shadow diffuse = nl, specular = power
 // Latency 2, with DATAPATH rotated 1, with LIGHTING reflection 4; SPECULAR_SQUARINGS more where there is a highlight,
-// with SELF_SHADOW 1 more.
+// with SELF_SHADOW 1 more. With SHARING on one dot product takes N.H and N.L in turn, and each squarer is used up to
+// three times, by wrinkle_shared_light: a fragment in three clocks.
 module wrinkle_light #(
   parameter DATAPATH           = 1,
   parameter LIGHTING           = 1,
+  parameter SHARING            = 0,
   parameter SELF_SHADOW        = 1,
   parameter DEPTH              = 1,
   parameter DECAL              = 0,
@@ -53,34 +55,62 @@ module wrinkle_light #(
   localparam DOTS    = LIGHTING == 2 ? 4 : DOT;       // ... of what goes to the power
   localparam RANKS   = DOTS + K + SHADOW;
 
+  localparam SEPARATE = SHARING == 0 ? 1 : 0;         // two dot products, K squarers
+
   wire              advance;
   wire [DOT_BITS:0] nl_early, nl;  // after the dot product and after the power
-
-  wrinkle_pipe #(.RANKS(RANKS)) pipe (
-    .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
-    .out_ready_i(out_ready_i), .busy_o(busy_o));
-  assign in_ready_o = advance;
+  wire [DOT_BITS:0] factor;        // of the shadow, for the last rank
 
   generate
-    if (DATAPATH == 3) begin : rotated
+    if (SEPARATE != 0) begin : separate
+      wrinkle_pipe #(.RANKS(RANKS)) pipe (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
+        .out_ready_i(out_ready_i), .busy_o(busy_o));
+      assign in_ready_o = advance;
+      wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOTS - DOT + K)) delay_nl (
+        .clk(clk), .advance_i(advance), .data_i(nl_early), .data_o(nl));
+      wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(SHADOW)) delay_nl_out (
+        .clk(clk), .advance_i(advance), .data_i(nl), .data_o(nl_o));
+      wrinkle_delay #(.WIDTH(1), .RANKS(RANKS)) delay_zero (
+        .clk(clk), .advance_i(advance), .data_i(zero_i), .data_o(zero_o));
+      wrinkle_delay #(.WIDTH(DECAL_W), .RANKS(DECAL != 0 ? RANKS : 0)) delay_decal (
+        .clk(clk), .advance_i(advance), .data_i(decal_i), .data_o(decal_o));
+      wrinkle_delay #(.WIDTH(TAG), .RANKS(RANKS)) delay_tag (
+        .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
+    end else begin : shared
+      localparam CARRIED = TAG + 1 + (DECAL != 0 ? DECAL_W : 0);
+      wire [TAG+DECAL_W:0] carried = {decal_i, zero_i, tag_i};
+      wire [TAG+DECAL_W:0] carried_on;
+      assign {decal_o, zero_o, tag_o} = carried_on;
+      assign {advance, nl_early, nl, factor} = {(3*DOT_BITS + 4){1'b0}};
+      wire unused_bits = &{1'b0, carried, advance, nl_early, nl, factor};
+      if (DECAL == 0) begin : no_decal
+        assign carried_on[TAG+1] = 1'b0;
+      end
+      wrinkle_shared_light #(
+        .DATAPATH(DATAPATH), .SELF_SHADOW(SELF_SHADOW), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS),
+        .POWER_BITS(POWER_BITS), .SPECULAR_SQUARINGS(SPECULAR_SQUARINGS), .TAG_BITS(CARRIED)
+      ) light (
+        .clk(clk), .rst(rst), .draw_bump_i(draw_bump_i), .draw_shadow_i(draw_shadow_i),
+        .draw_exponent_zero_i(draw_exponent_zero_i), .draw_squarings_i(draw_squarings_i), .in_valid_i(in_valid_i),
+        .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i), .tag_i(carried[CARRIED-1:0]),
+        .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .nl_o(nl_o), .nh_o(nh_o), .diffuse_o(diffuse_o),
+        .specular_o(specular_o), .tag_o(carried_on[CARRIED-1:0]), .busy_o(busy_o));
+    end
+
+    if (SEPARATE != 0 && DATAPATH == 3) begin : rotated
       wire [DOT_BITS:0] lz;
       wire unused_pins = &{1'b0, n_i, l_i[2*N-1:0]};
       wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
         .value_i(l_i[2*N +: N]), .clamped_o(lz));
       wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nl (
         .clk(clk), .advance_i(advance), .data_i(lz), .data_o(nl_early));
-    end else begin : general
+    end else if (SEPARATE != 0) begin : general
       wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
         .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .dot_o(nl_early));
     end
-  endgenerate
-  wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOTS - DOT + K)) delay_nl (
-    .clk(clk), .advance_i(advance), .data_i(nl_early), .data_o(nl));
 
-  // The shadow factor, for the last rank.
-  wire [DOT_BITS:0] factor;
-  generate
-    if (SHADOW != 0) begin : shadowed
+    if (SEPARATE != 0 && SHADOW != 0) begin : shadowed
       wire [DOT_BITS:0] source;
       if (DATAPATH == 1) begin : from_l
         wire [DOT_BITS:0] lz, lz_late;
@@ -93,9 +123,8 @@ module wrinkle_light #(
         wire unused_bump = draw_bump_i;
         assign source = nl;
       end
-      wire over = SELF_SHADOW == 1 ? |source : |source[DOT_BITS:DOT_BITS-3];
-      assign factor = ~draw_shadow_i | over ? {1'b1, {DOT_BITS{1'b0}}} :
-                      SELF_SHADOW == 1 ? {(DOT_BITS + 1){1'b0}} : {source[DOT_BITS-3:0], 3'b000};
+      wrinkle_shadow_factor #(.SELF_SHADOW(SELF_SHADOW), .DOT_BITS(DOT_BITS)) shadow (
+        .source_i(source), .off_i(~draw_shadow_i), .factor_o(factor));
 
       wire [DOT_BITS:0] diffuse;
       reg [DOT_BITS:0]  diffuse_q;
@@ -103,13 +132,13 @@ module wrinkle_light #(
         .a_i(nl), .b_i(factor), .result_o(diffuse));
       assign diffuse_o = diffuse_q;
       always @(posedge clk) if (advance) diffuse_q <= diffuse;
-    end else begin : unshadowed
+    end else if (SEPARATE != 0) begin : unshadowed
       wire unused_pins = &{1'b0, draw_bump_i, draw_shadow_i};
       assign factor    = {1'b1, {DOT_BITS{1'b0}}};
       assign diffuse_o = nl;
     end
 
-    if (LIGHTING != 0) begin : glossy
+    if (SEPARATE != 0 && LIGHTING != 0) begin : glossy
       wire [DOT_BITS:0]   nh;
       wire [POWER_BITS:0] power;
       if (LIGHTING == 2) begin : reflected
@@ -143,20 +172,11 @@ module wrinkle_light #(
         wire unused_factor = &{1'b0, factor};
         assign specular_o = power;
       end
-    end else begin : diffuse_only
+    end else if (SEPARATE != 0) begin : diffuse_only
       wire unused_pins = &{1'b0, h_i, draw_exponent_zero_i, draw_squarings_i, factor};
       assign nh_o       = 1'b0;
       assign specular_o = 1'b0;
     end
   endgenerate
-
-  wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(SHADOW)) delay_nl_out (
-    .clk(clk), .advance_i(advance), .data_i(nl), .data_o(nl_o));
-  wrinkle_delay #(.WIDTH(1), .RANKS(RANKS)) delay_zero (
-    .clk(clk), .advance_i(advance), .data_i(zero_i), .data_o(zero_o));
-  wrinkle_delay #(.WIDTH(DECAL_W), .RANKS(DECAL != 0 ? RANKS : 0)) delay_decal (
-    .clk(clk), .advance_i(advance), .data_i(decal_i), .data_o(decal_o));
-  wrinkle_delay #(.WIDTH(TAG), .RANKS(RANKS)) delay_tag (
-    .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
 endmodule
 `default_nettype wire

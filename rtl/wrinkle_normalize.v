@@ -2,7 +2,8 @@
 // N, L and H to unit length, each by its own unit; `zero` tells that one of them had no length. Constant light vectors
 // come from the draw state, and in the rotated frame N = (0, 0, 1): neither has a unit. With LIGHTING pixel_halfangle
 // H is made here, from the unit vectors L and E, and has a unit of its own behind theirs.
-// Latency 5, or 1 when no vector has a normalizer; pixel_halfangle adds 6.
+// Latency 5, or 1 when no vector has a normalizer; pixel_halfangle adds 6. With SHARING on one unit takes N, L and H in
+// turn, by wrinkle_shared_units: a fragment in three clocks.
 module wrinkle_normalize #(
   parameter DATAPATH     = 1,
   parameter LIGHT_VECTORS = 0,
@@ -10,6 +11,7 @@ module wrinkle_normalize #(
   parameter NORMALIZER_N = 1,
   parameter NORMALIZER_L = 1,
   parameter NORMALIZER_H = 1,
+  parameter SHARING      = 0,
   parameter DEPTH        = 1,
   parameter DECAL        = 0,
   parameter SCREEN_BITS  = 10,
@@ -56,19 +58,43 @@ module wrinkle_normalize #(
                          (HAS_H != 0 && KIND_H != 0) ? 5 : 1;
   localparam SECOND    = LATE_H != 0 ? 6 : 0;                           // the sum, and its normalizer
   localparam RANKS     = FIRST + SECOND;
+  localparam SEPARATE  = SHARING == 0 ? 1 : 0;                          // a unit each
 
   wire advance, zero_n, zero_l, zero_h;
   wire [UNIT-1:0] l;  // after the first normalizers
 
-  wrinkle_pipe #(.RANKS(RANKS)) pipe (
-    .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
-    .out_ready_i(out_ready_i), .busy_o(busy_o));
-  assign in_ready_o = advance;
-  wrinkle_delay #(.WIDTH(1), .RANKS(SECOND)) delay_zero (
-    .clk(clk), .advance_i(advance), .data_i(zero_n | zero_l | zero_h), .data_o(zero_o));
-
   generate
-    if (HAS_N != 0) begin : with_n
+    if (SEPARATE != 0) begin : separate
+      wrinkle_pipe #(.RANKS(RANKS)) pipe (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
+        .out_ready_i(out_ready_i), .busy_o(busy_o));
+      assign in_ready_o = advance;
+      wrinkle_delay #(.WIDTH(1), .RANKS(SECOND)) delay_zero (
+        .clk(clk), .advance_i(advance), .data_i(zero_n | zero_l | zero_h), .data_o(zero_o));
+      wrinkle_delay #(.WIDTH(DECAL_W), .RANKS(DECAL != 0 ? RANKS : 0)) delay_decal (
+        .clk(clk), .advance_i(advance), .data_i(decal_i), .data_o(decal_o));
+      wrinkle_delay #(.WIDTH(TAG), .RANKS(RANKS)) delay_tag (
+        .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
+    end else begin : shared
+      localparam CARRIED = TAG + (DECAL != 0 ? DECAL_W : 0);
+      wire [TAG+DECAL_W-1:0] carried = {decal_i, tag_i};
+      wire [TAG+DECAL_W-1:0] carried_on;
+      wire unused_pins = &{1'b0, draw_l_i, draw_h_i, carried};
+      assign {decal_o, tag_o} = carried_on;
+      assign {advance, zero_n, zero_l, zero_h, l} = {(UNIT + 4){1'b0}};
+      wire unused_separate = &{1'b0, advance, zero_n, zero_l, zero_h, l};
+      if (DECAL == 0) begin : no_decal
+        assign carried_on[TAG] = 1'b0;
+      end
+      wrinkle_shared_units #(
+        .NORMALIZER(NORMALIZER_N), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .TAG_BITS(CARRIED)
+      ) units (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i),
+        .tag_i(carried[CARRIED-1:0]), .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .n_o(n_o), .l_o(l_o),
+        .h_o(h_o), .zero_o(zero_o), .tag_o(carried_on[CARRIED-1:0]), .busy_o(busy_o));
+    end
+
+    if (SEPARATE != 0 && HAS_N != 0) begin : with_n
       wire [UNIT-1:0] n;
       wrinkle_unit_vector #(
         .NORMALIZER(NORMALIZER_N), .VECTOR_BITS(DATAPATH == 2 ? WIDE_BITS + 1 : VECTOR_BITS), .UNIT_BITS(UNIT_BITS),
@@ -76,27 +102,27 @@ module wrinkle_normalize #(
       ) unit_n (.clk(clk), .advance_i(advance), .vector_i(n_i), .unit_o(n), .zero_o(zero_n));
       wrinkle_delay #(.WIDTH(UNIT), .RANKS(SECOND)) delay_n (
         .clk(clk), .advance_i(advance), .data_i(n), .data_o(n_o));
-    end else begin : without_n
+    end else if (SEPARATE != 0) begin : without_n
       wire unused_pins = n_i;
       assign n_o    = {2'b01, {(UNIT - 2){1'b0}}};
       assign zero_n = 1'b0;
     end
 
-    if (HAS_LIGHT != 0) begin : with_l
+    if (SEPARATE != 0 && HAS_LIGHT != 0) begin : with_l
       wire unused_draw = &{1'b0, draw_l_i, draw_h_i};
       wrinkle_unit_vector #(
         .NORMALIZER(NORMALIZER_L), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .RANKS(FIRST)
       ) unit_l (.clk(clk), .advance_i(advance), .vector_i(l_i), .unit_o(l), .zero_o(zero_l));
       wrinkle_delay #(.WIDTH(UNIT), .RANKS(SECOND)) delay_l (
         .clk(clk), .advance_i(advance), .data_i(l), .data_o(l_o));
-    end else begin : constant_l
+    end else if (SEPARATE != 0) begin : constant_l
       wire unused_pins = &{1'b0, l_i, h_i};
       assign l      = draw_l_i;
       assign l_o    = l;
       assign zero_l = 1'b0;
     end
 
-    if (LIGHTING != 0) begin : glossy
+    if (SEPARATE != 0 && LIGHTING != 0) begin : glossy
       wire [UNIT-1:0] h;
       if (HAS_H != 0) begin : with_h
         wrinkle_unit_vector #(
@@ -112,16 +138,11 @@ module wrinkle_normalize #(
       end else begin : at_once
         assign h_o = h;
       end
-    end else begin : diffuse
+    end else if (SEPARATE != 0) begin : diffuse
       wire unused_h = &{1'b0, h_i, draw_h_i};
       assign h_o    = 1'b0;
       assign zero_h = 1'b0;
     end
   endgenerate
-
-  wrinkle_delay #(.WIDTH(DECAL_W), .RANKS(DECAL != 0 ? RANKS : 0)) delay_decal (
-    .clk(clk), .advance_i(advance), .data_i(decal_i), .data_o(decal_o));
-  wrinkle_delay #(.WIDTH(TAG), .RANKS(RANKS)) delay_tag (
-    .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
 endmodule
 `default_nettype wire

@@ -1,8 +1,9 @@
 `default_nettype none
 // Takes the word stream apart [docs/formats.md]. Words of a triangle go to the shadow registers of scan and
 // interpolate, and `triangle_valid_o` says that they hold a whole packet; the next packet waits until it is taken. A
-// draw packet waits until no fragment is in flight, so that its state is constant to every stage. A word that is no
-// opcode is skipped. Latency 1 into the shadow registers. Does not look at any field of a triangle.
+// draw packet waits until no fragment is in flight, so that its state is constant to every stage. With BUFFERING single
+// the planes of a triangle go to the interpolators themselves, and wait until the walk of the one before has ended. A
+// word that is no opcode is skipped. Latency 1 into the shadow registers. Does not look at any field of a triangle.
 module wrinkle_packet #(
   parameter DATAPATH        = 1,
   parameter CROSS_PRODUCTS  = 0,
@@ -12,6 +13,7 @@ module wrinkle_packet #(
   parameter PERSPECTIVE     = 0,
   parameter DEPTH           = 1,
   parameter DECAL           = 0,
+  parameter BUFFERING       = 0,
   parameter CHANNELS        = 1,
   parameter SCREEN_BITS     = 10,
   parameter SUBPIXEL_BITS   = 8,
@@ -32,9 +34,11 @@ module wrinkle_packet #(
   output wire        packet_ready_o,
   input  wire [63:0] packet_word_i,
   input  wire        busy_i,              // a fragment is in flight
+  input  wire        walking_i,           // scan has a row or a pixel to draw
   output wire [63:0] word_o,
   output wire        scan_shift_o,        // word_o is of the scan part
   output wire        plane_shift_o,       // ... of the planes part
+  output wire        plane_last_o,        // ... its last word
   output wire        triangle_valid_o,
   input  wire        triangle_take_i,     // only while triangle_valid_o
   output wire        draw_bump_o,
@@ -87,20 +91,23 @@ module wrinkle_packet #(
     .clk(clk), .load_i(load), .spare_i(spare), .data_i(packet_word_i), .data_o(word));
 
   // What the next word is: an opcode, or one of a draw or of a triangle, and which.
+  wire unused_walking = walking_i;
   reg       in_draw_q, in_triangle_q, loaded_q;
   reg [5:0] index_q;
 
   wire opcode      = ~in_draw_q & ~in_triangle_q;
   wire is_draw     = opcode & word[3:0] == 4'd1;
   wire is_triangle = opcode & word[3:0] == 4'd2;
-  assign word_ready = is_draw ? ~(busy_i | loaded_q) : is_triangle ? ~loaded_q | triangle_take_i : 1'b1;
+  wire scan_done   = in_triangle_q & index_q > LAST_SCAN;
+  wire planes_wait = BUFFERING != 0 ? scan_done & walking_i : 1'b0;
+  assign word_ready = is_draw ? ~(busy_i | loaded_q) : is_triangle ? ~loaded_q | triangle_take_i : ~planes_wait;
   wire take         = word_valid & word_ready;
   wire triangle     = take & (is_triangle | in_triangle_q);
-  wire scan_done    = in_triangle_q & index_q > LAST_SCAN;
 
   assign word_o           = word;
   assign scan_shift_o     = triangle & ~scan_done;
   assign plane_shift_o    = triangle & scan_done;
+  assign plane_last_o     = index_q == LAST_WORD;
   assign triangle_valid_o = loaded_q;
   assign busy_o           = word_valid | ~opcode | loaded_q;
 

@@ -4,7 +4,12 @@
 // nor a new triangle costs a clock, unless rows are empty. Tells wrinkle_interpolate every step, in the clock in which
 // it is made. A span's last pixel waits until the row engine knows whether more of the triangle follows. Latency 2 from
 // the packet. Does not clip: set-up lets no row leave the screen.
+// With SHARING on and BUFFERING single an interpolator has one adder, and the walk it is told has one sum a clock: a
+// row that the pixel engine takes or that is empty is stepped over in the clock after, in one more where the start edge
+// carries, and no pixel is offered meanwhile.
 module wrinkle_scan #(
+  parameter SHARING       = 0,
+  parameter BUFFERING     = 0,
   parameter SCREEN_BITS   = 10,
   parameter SUBPIXEL_BITS = 8
 ) (
@@ -15,7 +20,7 @@ module wrinkle_scan #(
   input  wire                   triangle_valid_i,
   output wire                   load_o,            // the row engine takes the packet
   output wire                   step_o,            // ... goes to its next row
-  output wire                   carry_o,           // ... where the start edge has moved one pixel more
+  output wire                   carry_o,           // ... where the start edge has moved one pixel more; in turn: then
   output wire                   span_o,            // the pixel engine takes the row
   output wire                   first_o,           // ... the first one of a packet
   output wire                   pixel_o,           // ... goes to its next pixel
@@ -43,11 +48,12 @@ module wrinkle_scan #(
   reg [X:0]        rows_q, rows_end0_q;       // from this row on
   reg [FIELDS-1:0] end1_q;
   wire signed [X+1:0] start, finish;
-  wire             load, step, to_end1, unused_carry;
+  wire             load, step, carry, to_end1, unused_carry;
+  wire             waits;                     // for the interpolators' adder
 
   wire row_full  = start < finish;
-  wire nonempty  = row_valid_q & row_full;
-  wire empty     = row_valid_q & ~row_full;
+  wire nonempty  = row_valid_q & row_full & ~waits;
+  wire empty     = row_valid_q & ~row_full & ~waits;
 
   // Pixel engine.
   reg         pixel_valid_q, pixel_mirror_q;
@@ -59,7 +65,7 @@ module wrinkle_scan #(
   wire        pixel       = leave & ~final_pixel;
   wire [X-1:0] length_less_1 = finish[X-1:0] + ~start[X-1:0];
 
-  assign out_valid_o = pixel_valid_q & (~final_pixel | resolved);
+  assign out_valid_o = pixel_valid_q & (~final_pixel | resolved) & ~waits;
   assign last_o      = final_pixel & (~row_valid_q | row_fresh_q);
   assign x_o         = w_q ^ {X{pixel_mirror_q}};
   assign y_o         = y_q;
@@ -70,7 +76,6 @@ module wrinkle_scan #(
   assign to_end1 = rows_end0_q == {{X{1'b0}}, 1'b1};
 
   assign load_o  = load;
-  assign step_o  = step;
   assign span_o  = span;
   assign first_o = row_fresh_q;
   assign pixel_o = pixel;
@@ -84,11 +89,27 @@ module wrinkle_scan #(
   wire [X:0]        packet_end0  = packet[6 + 2*X +: X + 1];
 
   wrinkle_edge #(.SCREEN_BITS(X), .EDGE_BITS(EDGE_BITS)) start_edge (
-    .clk(clk), .load_i(load), .step_i(step), .fields_i(start_fields), .w_o(start), .carry_o(carry_o));
+    .clk(clk), .load_i(load), .step_i(step), .fields_i(start_fields), .w_o(start), .carry_o(carry));
   wrinkle_edge #(.SCREEN_BITS(X), .EDGE_BITS(EDGE_BITS)) end_edge (
     .clk(clk), .load_i(load | (step & to_end1)), .step_i(step),
     .fields_i(~load ? end1_q : packet_end0 == {(X + 1){1'b0}} ? end1_fields : end0_fields),
     .w_o(finish), .carry_o(unused_carry));
+
+  generate
+    if (SHARING != 0 && BUFFERING != 0) begin : one_sum_a_clock
+      reg step_q, carry_q;
+      assign waits   = step_q | carry_q;
+      assign step_o  = step_q;
+      assign carry_o = carry_q & ~step_q;
+      always @(posedge clk)
+        if (rst) {step_q, carry_q} <= 2'b00;
+        else {step_q, carry_q} <= {step, step ? carry : carry_q & step_q};
+    end else begin : at_once
+      assign waits   = 1'b0;
+      assign step_o  = step;
+      assign carry_o = carry;
+    end
+  endgenerate
 
   always @(posedge clk)
     if (rst) begin

@@ -22,7 +22,7 @@ struct Options {
   std::string name = "standard", library = "osu035", effort = "area";
   std::vector<std::string> set, stages;
   bool figures = false, normalizers = false, fpga = false, place = false, no_flat = false, check = false, keep = false,
-       plain_adders = false;
+       plain_adders = false, shading = false;
   std::filesystem::path json;
 };
 
@@ -102,6 +102,12 @@ int area(const Options& options) {
   if (options.normalizers) return run_normalizers(options);
   if (options.figures || options.check || options.keep) return run_figures(options);
   const Config config = apply_overrides(load_config(options.name), options.set);
+  if (options.shading) {
+    const AreaReport report = measure_shading(options.name, config, area_options(options));
+    print_report(report);
+    write_json(options.json, {{"shading", to_json(report)}});
+    return kExitEqual;
+  }
   const AreaReport report = measure_area(options.name, config, area_options(options));
   print_report(report);
   nlohmann::json json = to_json(report);
@@ -132,6 +138,8 @@ void add_area(CLI::App& app, Run& run) {
   command->add_flag("--plain-adders", options->plain_adders, "Adders in simple gates, not in full adder cells");
   command->add_flag("--fpga", options->fpga, "Also cells of iCE40, ECP5 and Xilinx");
   command->add_flag("--place", options->place, "With --fpga: place and route on iCE40 UP5K what fits");
+  command->add_flag("--shading", options->shading,
+                    "Only what shades: interpolators of N, L, H to dot products and power");
   command->add_flag("--figures", options->figures, "Fig. 1, Fig. 2 and Fig. 3 of the paper");
   command->add_flag("--normalizers", options->normalizers, "Every kind of normalizer at several widths, logic alone")
       ->excludes("--figures");

@@ -10,6 +10,8 @@ std::vector<DatapathFrame> datapath_frames() {
       {0, {"compact", "patch_fig6", "compact", {}}},
       {0, {"lite", "patch_fig6", "standard", {"normalizer_n=lite", "normalizer_l=lite", "normalizer_h=lite"}}},
       {0, {"near", "patch_fig6", "standard", {"normalizer_l=near", "normalizer_h=near"}}},
+      {0, {"sharing", "patch_fig6", "standard", {"sharing=on"}}},
+      {0, {"single_buffering", "patch_fig6", "standard", {"buffering=single"}}},
       {1, {"blinn", "patch_fig5", "blinn", {}}},
       {1, {"blinn_draw_exponent", "patch_fig5", "blinn", {"block_exponent=draw"}}},
       {1, {"blinn_constant", "patch_fig5", "blinn_constant", {}}},

@@ -1,14 +1,16 @@
 `default_nettype none
 // A vector to unit length from truncated squares and products; zero stays zero, n(-v) = -n(v). KIND 2, compact: each
 // component off by less than 1 ulp, exact on the axes. 3, lite: the direction alone, the length within 3 %. 4, near: as
-// compact, for lengths of 1/2 to 1, where the shift is not needed. Latency 5.
+// compact, for lengths of 1/2 to 1, where the shift is not needed. Latency 5; with PIPELINED 2 two, after the sum of
+// squares and after the root; with PIPELINED 0 none.
 // Sign and magnitude: the magnitudes are shifted up together by the leading zeros of their OR; S is the sum of their
-// squares, r = 1/sqrt of its leading bits, each component m * r. The one value -2^(V+1) saturates. Does not compute what
-// the kind `faithful` does: an ulp may differ. [docs/architecture.md, golden/pixel/compact_geometry.h]
+// squares, r = 1/sqrt of its leading bits, each component m * r. The one value -2^(V+1) saturates. Does not compute
+// what the kind `faithful` does: an ulp may differ. [docs/architecture.md, golden/pixel/compact_geometry.h]
 module wrinkle_compact_normalizer #(
   parameter KIND        = 2,
   parameter VECTOR_BITS = 9,  // V
-  parameter UNIT_BITS   = 9   // F
+  parameter UNIT_BITS   = 9,  // F
+  parameter PIPELINED   = 1
 ) (
   input  wire                         clk,
   input  wire                         advance_i,
@@ -23,6 +25,8 @@ module wrinkle_compact_normalizer #(
   localparam PAD   = V < F ? F - V : 0;
   localparam WIDER = V > F ? V - F : 0;
   localparam P     = V + 1 + PAD;
+  localparam ALL   = PIPELINED == 1 ? 1 : 0;  // every rank
+  localparam SOME  = PIPELINED != 0 ? 1 : 0;  // the sum of squares, the root
 
   // The geometry: compact_geometry() of golden/pixel/compact_geometry.h.
   localparam INPUT_BITS   = LITE != 0 ? 7 : F < 10 ? F + 3 : F + 4;
@@ -82,7 +86,7 @@ module wrinkle_compact_normalizer #(
     end
   endgenerate
 
-  wrinkle_delay #(.WIDTH(3*P), .RANKS(1)) rank1 (
+  wrinkle_delay #(.WIDTH(3*P), .RANKS(ALL)) rank1 (
     .clk(clk), .advance_i(advance_i), .data_i(m0), .data_o(m1));
 
   // Rank 2: the sum of squares.
@@ -92,7 +96,7 @@ module wrinkle_compact_normalizer #(
   wrinkle_cut_squares #(
     .BITS(SQUARE_BITS), .CUT(SQUARE_CUT), .CONSTANT(SQUARE_CONSTANT[2*SQUARE_BITS+1:0])
   ) squares (.m_i(leading), .sum_o(s1));
-  wrinkle_delay #(.WIDTH(2*SQUARE_BITS + 2), .RANKS(1)) rank2 (
+  wrinkle_delay #(.WIDTH(2*SQUARE_BITS + 2), .RANKS(SOME)) rank2 (
     .clk(clk), .advance_i(advance_i), .data_i(s1), .data_o(s2));
 
   // Ranks 3 and 4: the reciprocal root of its leading bits.
@@ -105,13 +109,13 @@ module wrinkle_compact_normalizer #(
     .sum_i(s2), .t_o(t), .halve_o(halve));
   wrinkle_compact_rsqrt #(
     .INPUT_BITS(INPUT_BITS), .OUTPUT_BITS(OUTPUT_BITS), .SEGMENT_BITS(SEGMENT_BITS), .GUARD_BITS(GUARD_BITS),
-    .BIAS(BIAS), .DROPPED_COLUMNS(DROPPED)
+    .BIAS(BIAS), .DROPPED_COLUMNS(DROPPED), .PIPELINED(PIPELINED)
   ) rsqrt (.clk(clk), .advance_i(advance_i), .t_i(t), .halve_i(halve), .r_o(r4));
 
   // Beside them: magnitudes and signs.
-  wrinkle_delay #(.WIDTH(3*P), .RANKS(3)) carry_magnitudes (
+  wrinkle_delay #(.WIDTH(3*P), .RANKS(ALL + 2*SOME)) carry_magnitudes (
     .clk(clk), .advance_i(advance_i), .data_i(m1), .data_o(m4));
-  wrinkle_delay #(.WIDTH(4), .RANKS(4)) carry_signs (
+  wrinkle_delay #(.WIDTH(4), .RANKS(2*ALL + 2*SOME)) carry_signs (
     .clk(clk), .advance_i(advance_i), .data_i({zero0, negative0}), .data_o({zero4, negative4}));
 
   // Rank 5: the products, rounded.
@@ -140,7 +144,7 @@ module wrinkle_compact_normalizer #(
     end
   endgenerate
 
-  wrinkle_delay #(.WIDTH(3*(F+2) + 1), .RANKS(1)) rank5 (
+  wrinkle_delay #(.WIDTH(3*(F+2) + 1), .RANKS(ALL)) rank5 (
     .clk(clk), .advance_i(advance_i), .data_i({zero4, unit}), .data_o({zero_o, unit_o}));
 endmodule
 `default_nettype wire

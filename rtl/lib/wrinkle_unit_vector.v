@@ -1,7 +1,7 @@
 `default_nettype none
 // One vector of the normalize stage: NORMALIZER 1 by wrinkle_normalizer, 2 to 4 by a wrinkle_compact_normalizer of that
-// kind; 0 only rounded to s1.F and saturated, for a vector that is of unit length already. Latency RANKS, at least 5 with
-// a normalizer and 1 without.
+// kind; 0 only rounded to s1.F and saturated, for a vector that is of unit length already. Latency RANKS, at least 5
+// with a normalizer and 1 without; or 2 with a normalizer, three steps of about the same length.
 module wrinkle_unit_vector #(
   parameter NORMALIZER  = 1,
   parameter VECTOR_BITS = 9,  // V
@@ -25,15 +25,17 @@ module wrinkle_unit_vector #(
       wire [3*N-1:0] unit;
       wire           zero;
       if (NORMALIZER == 1) begin : faithful
-        wrinkle_normalizer #(.VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS)) normalizer (
+        wrinkle_normalizer #(
+          .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .PIPELINED(RANKS > 2 ? 1 : 2)
+        ) normalizer (
           .clk(clk), .advance_i(advance_i), .vector_i(vector_i), .unit_o(unit), .zero_o(zero));
       end else begin : compact
         wrinkle_compact_normalizer #(
-          .KIND(NORMALIZER), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS)
+          .KIND(NORMALIZER), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .PIPELINED(RANKS > 2 ? 1 : 2)
         ) normalizer (
           .clk(clk), .advance_i(advance_i), .vector_i(vector_i), .unit_o(unit), .zero_o(zero));
       end
-      wrinkle_delay #(.WIDTH(3*N + 1), .RANKS(RANKS - 5)) delay (
+      wrinkle_delay #(.WIDTH(3*N + 1), .RANKS(RANKS > 2 ? RANKS - 5 : 0)) delay (
         .clk(clk), .advance_i(advance_i), .data_i({zero, unit}), .data_o({zero_o, unit_o}));
     end else begin : none
       wire [3*N-1:0] unit;

@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <thread>
 
 #include "sim/report/modules.h"
@@ -137,6 +138,22 @@ AreaReport measure_area(const std::string& name, const Config& config, const Are
     jobs.push_back([&, i] { report.stages[i].result = synthesise_module("wrinkle_" + names[i], config, options); });
   }
   run_all(jobs);
+  return report;
+}
+
+AreaReport measure_shading(const std::string& name, const Config& config, const AreaOptions& options) {
+  if (!config.is(Datapath::kPhong) && !config.is(Datapath::kTangent))
+    throw std::invalid_argument("shading is that of datapath = phong or tangent");
+  AreaOptions stage = options;
+  stage.flat = false;
+  Config bare = config;
+  bare.depth = bare.decal = 0;
+  stage.stages = {"perturb", "normalize", "light"};
+  AreaReport report = measure_area(name, bare, stage);
+  bare.datapath = static_cast<int>(Datapath::kPhong);
+  stage.stages = {"interpolate"};
+  const AreaReport interpolate = measure_area(name, bare, stage);
+  report.stages.insert(report.stages.begin(), interpolate.stages.front());
   return report;
 }
 

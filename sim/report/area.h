@@ -42,6 +42,12 @@ struct AreaOptions {
 // Two stages at a time.
 AreaReport measure_area(const std::string& name, const Config& config, const AreaOptions& options);
 
+// What shades by [Peercy97 fig. 3], or by fig. 1 with datapath = phong, and nothing else: interpolators of N, L and H,
+// multiplexer, normalization, dot products and power, with x and y carried along. `interpolate` of the configuration
+// without texture, decal and depth; `perturb`, `normalize`, `light` without decal and depth. Two stages at a time.
+// Throws std::invalid_argument for another datapath.
+AreaReport measure_shading(const std::string& name, const Config& config, const AreaOptions& options);
+
 // [Peercy97 fig. 1, 2 and 3] with everything around them alike: packets, scan, interpolation, normalization, light and
 // output at the widths of `standard`, without self-shadow, which the figures do not have. What the paper takes as given
 // counts in all three and is marked: scan, texture unit, and `texture coordinates`, the interpolators and draw state of

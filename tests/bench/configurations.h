@@ -79,6 +79,36 @@ inline std::vector<Rival> rivals() {
          lit(c, Lighting::kPixelHalfangle);
          c.light_vectors = static_cast<int>(LightVectorSource::kConstant);
        })},
+      {"shared", with([](Config& c) { c.sharing = 1; })},
+      {"shared_third_squaring", with([](Config& c) {
+         c.sharing = 1;
+         c.self_shadow = static_cast<int>(SelfShadow::kOff);
+         c.decal = c.perspective = 0;
+         c.specular_squarings = 5;
+       })},
+      {"single", with([](Config& c) { c.buffering = 1; })},
+      {"single_blinn_held", with([&](Config& c) {
+         blinn(c);
+         c.buffering = 1;
+         c.cross_products = static_cast<int>(CrossProducts::kConstant);
+         c.perspective = 0;
+       })},
+      {"shared_single", with([](Config& c) {
+         c.sharing = c.buffering = 1;
+         c.self_shadow = static_cast<int>(SelfShadow::kSmooth);
+       })},
+      {"shared_single_unshadowed", with([](Config& c) {
+         c.sharing = c.buffering = 1;
+         c.self_shadow = static_cast<int>(SelfShadow::kOff);
+         c.depth = c.decal = c.perspective = 0;
+         c.specular_squarings = 4;
+       })},
+      {"shared_single_phong", with([](Config& c) {
+         c.sharing = c.buffering = 1;
+         c.datapath = static_cast<int>(Datapath::kPhong);
+         c.decal = 0;
+         c.specular_squarings = 1;
+       })},
   };
 }
 

@@ -7,6 +7,7 @@
 
 #include "sim/command.h"
 #include "sim/config_file.h"
+#include "sim/report/area.h"
 #include "sim/report/baseline.h"
 #include "sim/report/error.h"
 #include "sim/report/modules.h"
@@ -122,6 +123,24 @@ INSTANTIATE_TEST_SUITE_P(Datapaths, Replay,
                                          std::pair{"reflection", "patch_reflection"},
                                          std::pair{"pixel_halfangle", "patch_pixel_halfangle"},
                                          std::pair{"object_constant", "patch_object"}));
+
+// The limits that `smallest` is made for: 45 dB on the paper's patch, 12,061 NAND2 for a complete Fig. 3.
+TEST(Shading, SmallestIsSmallAndPreciseEnough) {
+  const Config config = load_config("smallest");
+  EXPECT_GE(measure_error("smallest", config, build_frame(config, scene_named("patch_fig6"))).precision.psnr_db, 45);
+  const AreaReport report = measure_shading("smallest", config, {});
+  std::vector<std::string> stages;
+  for (const StageArea& stage : report.stages) {
+    stages.push_back(stage.stage);
+    EXPECT_GT(stage.result.nand2, 0) << stage.stage;
+  }
+  EXPECT_THAT(stages, testing::ElementsAre("interpolate", "perturb", "normalize", "light"));
+  EXPECT_LE(report.sum_nand2(), 12061);
+}
+
+TEST(Shading, IsOfFig1AndFig3) {
+  EXPECT_THROW(measure_shading("blinn", load_config("blinn"), {}), std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace wrinkle

@@ -70,6 +70,15 @@ yosys_run() { # SCRIPT TOP [NAME=VALUE...]
 yosys_check() { yosys_run "proc; check -assert" "$@"; }
 yosys_synthesize() { yosys_run "synth -run coarse: -noabc; check -assert" "$@"; }
 
+# What a stage has of sharing and single buffering.
+sharing_of() {
+  case "$1" in
+    packet) echo BUFFERING=1 ;;
+    scan | interpolate) echo SHARING=1 BUFFERING=1 ;;
+    *) echo SHARING=1 ;;
+  esac
+}
+
 all_three() { # NAME [NAME=VALUE...]
   configuration=$1
   shift
@@ -130,6 +139,14 @@ all_three "reflection, widest dots, no normalizers" \
   LIGHTING=2 NORMALIZER_N=0 NORMALIZER_L=0 NORMALIZER_H=0 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
 all_three "half-angle at every pixel" LIGHTING=3
 all_three "half-angle at every pixel, one normalizer" LIGHTING=3 NORMALIZER_N=0 NORMALIZER_L=0
+all_three "shared" SHARING=1
+all_three "single" BUFFERING=1
+all_three "single, perspective, decal" BUFFERING=1 PERSPECTIVE=1 DECAL=1
+all_three "single, blinn, cross products held" BUFFERING=1 DATAPATH=2 CROSS_PRODUCTS=1 LIGHT_VECTORS=1
+all_three "shared and single, no self-shadow, squarers used twice" \
+  SHARING=1 BUFFERING=1 SELF_SHADOW=0 SPECULAR_SQUARINGS=4 DEPTH=0 DECAL=1
+all_three "shared and single, phong, no power" SHARING=1 BUFFERING=1 DATAPATH=0 SELF_SHADOW=2 SPECULAR_SQUARINGS=0
+all_three "shared, largest" SHARING=1 SPECULAR_SQUARINGS=8 VECTOR_BITS=18 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
 
 for stage in $stages; do
   check "verilator wrinkle_$stage alone" verilator_lint "wrinkle_$stage"
@@ -144,6 +161,10 @@ for stage in packet interpolate perspective texture perturb normalize light; do
     check "yosys     wrinkle_$stage alone, datapath $datapath, synthesized" \
       yosys_synthesize "wrinkle_$stage" DATAPATH=$datapath
   done
+done
+for stage in packet scan interpolate normalize light; do
+  check "yosys     wrinkle_$stage alone, shared and single, synthesized" \
+    yosys_synthesize "wrinkle_$stage" $(sharing_of "$stage")
 done
 for lighting in 2 3; do
   check "yosys     wrinkle_normalize alone, lighting $lighting, synthesized" \
@@ -164,6 +185,11 @@ refused "icarus refuses blinn without a normalizer" wrinkle_error_normalizer_n_m
   icarus_lint wrinkle_core DATAPATH=2 NORMALIZER_N=0
 refused "yosys refuses a half-angle at every pixel without a normalizer" \
   wrinkle_error_normalizer_h_must_take_any_length yosys_check wrinkle_core LIGHTING=3 NORMALIZER_H=0
+refused "verilator refuses to share constant light vectors" wrinkle_error_sharing_is_of_n_l_h \
+  verilator_lint wrinkle_core SHARING=1 LIGHT_VECTORS=1
+refused "icarus refuses to share two kinds of normalizer" wrinkle_error_sharing_is_of_n_l_h \
+  icarus_lint wrinkle_core SHARING=1 NORMALIZER_H=0
+refused "yosys refuses BUFFERING=2" wrinkle_error_buffering yosys_check wrinkle_core BUFFERING=2
 refused "verilator refuses FILTER=3" wrinkle_error_filter verilator_lint wrinkle_core FILTER=3
 refused "icarus refuses DOT_BITS > 2 UNIT_BITS" wrinkle_error_dot_bits_exceeds icarus_lint wrinkle_core UNIT_BITS=6 \
   DOT_BITS=13 POWER_BITS=13

@@ -64,6 +64,26 @@ TEST(Config, RulesOfTheRivals) {
   EXPECT_EQ(with({{&Config::light_vectors, 1}}).draw_words(), 6);
 }
 
+// One unit in turn: three vectors, one kind of normalizer, and a highlight by H. Buffering is free.
+TEST(Config, RulesOfSharing) {
+  EXPECT_EQ(check(with({{&Config::sharing, 1}, {&Config::buffering, 1}})).key, "");
+  EXPECT_EQ(check(with({{&Config::sharing, 1}, {&Config::datapath, 0}})).key, "");
+  EXPECT_EQ(check(with({{&Config::sharing, 1}, {&Config::datapath, 2}})).key, "sharing");
+  EXPECT_EQ(check(with({{&Config::sharing, 1}, {&Config::datapath, 3}})).key, "sharing");
+  EXPECT_EQ(check(with({{&Config::sharing, 1}, {&Config::light_vectors, 1}})).key, "sharing");
+  EXPECT_EQ(check(with({{&Config::sharing, 1}, {&Config::lighting, 0}})).key, "sharing");
+  EXPECT_EQ(check(with({{&Config::sharing, 1}, {&Config::lighting, 2}})).key, "sharing");
+  EXPECT_EQ(check(with({{&Config::sharing, 1}, {&Config::normalizer_h, 2}})).key, "sharing");
+  const int none = static_cast<int>(Normalizer::kNone);
+  EXPECT_EQ(check(with({{&Config::sharing, 1},
+                        {&Config::normalizer_n, none},
+                        {&Config::normalizer_l, none},
+                        {&Config::normalizer_h, none}}))
+                .key,
+            "sharing");
+  EXPECT_EQ(check(with({{&Config::buffering, 1}, {&Config::datapath, 2}})).key, "");
+}
+
 // Every legal configuration fits 64 bits, with room.
 TEST(Config, WidestOperandFitsALane) {
   Random random(base_seed());
