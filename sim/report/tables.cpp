@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -41,6 +42,43 @@ Table table(const std::string& name, const json& rows, const std::string& row_ke
   return result;
 }
 
+const Columns& pair_columns() {
+  static const Columns columns{
+      {"psnr_db", {"psnr_db"}}, {"max", {"max"}}, {"p999", {"p999"}}, {"ssim", {"ssim"}}, {"pixels", {"pixels"}}};
+  return columns;
+}
+
+// What a row is called where no key of its own says so.
+json named(json rows, const std::function<std::string(const json&)>& name) {
+  for (json& row : rows) row["row"] = name(row);
+  return rows;
+}
+
+std::string text_of(const json& row, const char* key) { return cell(row, {key}); }
+
+// Figs. 5, 6 and 7 against each other, and what the method loses.
+void add_paper(const json& paper, std::vector<Table>& all) {
+  json pairs = paper["pairs"];
+  for (const json& pair : {paper["held"]["pair"], paper["highlight"]["pair"], paper["highlight"]["highlight_pair"]})
+    pairs.push_back(pair);
+  const auto pair_name = [](const json& row) { return text_of(row, "a") + " against " + text_of(row, "b"); };
+  all.push_back(table("pictures", named(std::move(pairs), pair_name), "row", pair_columns()));
+  const auto method_name = [](const json& row) {
+    return fmt::format("{} {} {}x{}", text_of(row, "method"), text_of(row, "filtering"), text_of(row, "divisions"),
+                       text_of(row, "divisions"));
+  };
+  all.push_back(table("tessellation", named(paper["tessellation"], method_name), "row",
+                      {{"triangles", {"triangles"}},
+                       {"method_db", {"psnr_method_db"}},
+                       {"max_error_method", {"max_error_method"}},
+                       {"precision_db", {"psnr_precision_db"}}}));
+  all.push_back(table("rotated frame against phong", paper["highlight"]["exact"], "divisions",
+                      {{"psnr_db", {"psnr_db"}}, {"psnr_highlight_db", {"psnr_highlight_db"}}}));
+  Table warp{"eq8-11 against eq3-6", {"value"}, {}};
+  for (const auto& [key, value] : paper["warp"].items()) warp.rows.push_back({key, {cell(value, {})}});
+  all.push_back(std::move(warp));
+}
+
 std::vector<Table> tables(const json& report) {
   std::vector<Table> all;
   const Columns stage{{"nand2", {"nand2"}},
@@ -52,8 +90,8 @@ std::vector<Table> tables(const json& report) {
     if (report.contains("figures")) all.push_back(table(figure, report["figures"][figure]["stages"], "stage", stage));
   }
   all.push_back(table("configurations", report["configs"], "name",
-                      {{"datapath", {"datapath"}},
-                       {"normalizer", {"normalizer"}},
+                      {{"datapath", {"choices", "datapath"}},
+                       {"normalizer", {"choices", "normalizer_n"}},
                        {"nand2", {"area", "nand2"}},
                        {"flip_flops", {"area", "flip_flops"}},
                        {"critical_path_ns", {"area", "critical_path_ns"}},
@@ -74,6 +112,7 @@ std::vector<Table> tables(const json& report) {
                          {"alone_db", {"psnr_alone_db"}},
                          {"without_db", {"psnr_without_db"}}}));
   }
+  if (report.contains("paper")) add_paper(report["paper"], all);
   if (report.contains("speed")) {
     all.push_back(table("engines", report["speed"]["engines"], "engine",
                         {{"pixels_per_cpu_s", {"pixels_per_cpu_s"}}, {"faithful_to", {"faithful_to"}}}));
