@@ -296,7 +296,7 @@ function startPictures() {
 const methodNames = {
   'fig1': 'Fig. 1', 'fig2': 'Fig. 2', 'fig2_held': 'Fig. 2, Pv x N and N x Pu held', 'fig3_eq3-6': 'Fig. 3, Eq. 3-6', 'fig3_eq8-11': 'Fig. 3, Eq. 8-11',
 };
-const filteringNames = { level0: 'level 0 alone, bilinear, 256 x 256 pixels', configured: 'as configured' };
+const filteringNames = { level0: 'level 0 alone, bilinear', configured: 'as configured' };
 
 function drawTessellation() {
   const rows = data.paper.tessellation.filter(r => filteringNames[r.filtering] === element('tessellation-filtering').value);
@@ -366,7 +366,7 @@ function drawSpeed() {
     data: { labels: engines.map(e => e.engine), datasets: [{ label: 'pixels per CPU second', data: engines.map(e => e.pixels_per_cpu_s), backgroundColor: colours[3], maxBarThickness: 34 }] },
     options: {
       indexAxis: 'y', plugins: { legend: { display: false } },
-      scales: { x: { type: 'logarithmic', title: { display: true, text: `pixels per CPU second, ${data.speed.config} on ${data.speed.scene}` } }, y: { grid: { display: false } } },
+      scales: { x: { type: 'logarithmic', ticks: { callback: v => /^10*$/.test(String(v)) ? fixed(v, 0) : '' }, title: { display: true, text: `pixels per CPU second, ${data.speed.config} on ${data.speed.scene}` } }, y: { grid: { display: false } } },
     },
   });
   table('speed-table', engines, [
@@ -375,7 +375,7 @@ function drawSpeed() {
   element('chip').hidden = !data.speed.chips.length;
   table('chip-table', data.speed.chips, [
     ['configuration', c => c.config], ['clocks per pixel', c => fixed(c.clocks_per_pixel, 3)],
-    ['clock period, ns', c => fixed(c.period_ns, 2)], ['million pixels per second', c => fixed(1e-6 * c.pixels_per_s, 1)],
+    ['clock period, ns', c => fixed(c.period_ns, 2)], ['million pixels per second', c => c.pixels_per_s ? fixed(1e-6 * c.pixels_per_s, 1) : ''],
   ]);
 }
 
