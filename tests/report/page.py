@@ -63,7 +63,7 @@ class Driver:
             {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": actions}]})
 
     def screenshot(self, path, width, height):
-        self.run("window.scrollTo(0, 0)")
+        self.run("window.scrollTo(0, 0); document.documentElement.style.overflow = 'hidden'")
         self.mouse([1, 1])
         self.call("POST", "/window/rect", {"width": width, "height": height})
         # What the browser's own frame takes from the window is put on top.
