@@ -28,6 +28,7 @@ void add_bench(CLI::App& app, Run& run);
 void add_area(CLI::App& app, Run& run);
 void add_error(CLI::App& app, Run& run);
 void add_speed(CLI::App& app, Run& run);
+void add_figures(CLI::App& app, Run& run);
 void add_report(CLI::App& app, Run& run);
 
 // --config NAME and --set KEY=VALUE.

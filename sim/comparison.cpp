@@ -14,27 +14,16 @@ struct Pictures {
   std::vector<std::uint8_t> covered;
 };
 
-Picture draw_picture(Engine engine, const Config& config, const Frame& frame) {
-  Framebuffer framebuffer = framebuffer_for(config, frame);
-  draw(engine, config, frame, {}, [&](const Sample& sample) { framebuffer.add(sample); });
-  return framebuffer.colour();
-}
-
 // The RTL's picture is made from the fragments of the run that is compared.
 BenchResult draw_and_compare(const Config& config, const Frame& frame, const BenchOptions& options,
                              Pictures& pictures) {
-  Framebuffer framebuffer = framebuffer_for(config, frame);
-  BenchSinks sinks;
-  sinks.fragments = [&](std::span<const Fragment> fragments) {
-    for (const Fragment& fragment : fragments) framebuffer.add(to_sample(config, fragment, 0));
-  };
-  const BenchResult result = run_bench(config, frame, options, sinks);
-  pictures.rtl = framebuffer.colour();
-  pictures.covered = framebuffer.covered();
-  pictures.golden = draw_picture(Engine::kGolden, config, frame);
-  pictures.exact = draw_picture(Engine::kExact, config, frame);
-  pictures.ideal = draw_picture(Engine::kIdeal, config, frame);
-  return result;
+  const ComparedDrawing drawing = draw_compared(config, frame, options);
+  pictures.rtl = drawing.framebuffer.colour();
+  pictures.covered = drawing.framebuffer.covered();
+  pictures.golden = drawn(Engine::kGolden, config, frame).colour();
+  pictures.exact = drawn(Engine::kExact, config, frame).colour();
+  pictures.ideal = drawn(Engine::kIdeal, config, frame).colour();
+  return drawing.result;
 }
 
 // Without an analytic surface there is no ideal picture, and so no method error.
@@ -46,6 +35,16 @@ bool has_ideal(const Frame& frame) {
 }
 
 }  // namespace
+
+ComparedDrawing draw_compared(const Config& config, const Frame& frame, const BenchOptions& options) {
+  ComparedDrawing drawing{framebuffer_for(config, frame), {}};
+  BenchSinks sinks;
+  sinks.fragments = [&](std::span<const Fragment> fragments) {
+    for (const Fragment& fragment : fragments) drawing.framebuffer.add(to_sample(config, fragment, 0));
+  };
+  drawing.result = run_bench(config, frame, options, sinks);
+  return drawing;
+}
 
 void print_comparison_heading() {
   fmt::print(

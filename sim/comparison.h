@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/command.h"
+#include "sim/framebuffer.h"
 #include "sim/picture.h"
 
 namespace wrinkle {
@@ -16,6 +17,13 @@ struct Comparison {
   std::string config;            // empty: what the scene names
   std::vector<std::string> set;  // KEY=VALUE on top of it
 };
+
+// What the RTL drew, from the very fragments that were compared with golden.
+struct ComparedDrawing {
+  Framebuffer framebuffer;
+  BenchResult result;
+};
+ComparedDrawing draw_compared(const Config& config, const Frame& frame, const BenchOptions& options);
 
 // The columns of print_comparison().
 void print_comparison_heading();

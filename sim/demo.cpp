@@ -6,6 +6,7 @@
 
 #include "sim/command.h"
 #include "sim/comparison.h"
+#include "sim/layout.h"
 #include "sim/picture.h"
 #include "sim/progress.h"
 #include "sim/tessellation.h"

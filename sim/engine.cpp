@@ -138,4 +138,10 @@ Framebuffer framebuffer_for(const Config& config, const Frame& frame, const std:
   return Framebuffer(frame.width, frame.height, frame.background, config.depth != 0, std::move(names));
 }
 
+Framebuffer drawn(Engine engine, const Config& config, const Frame& frame, const std::vector<AovChannel>& aovs) {
+  Framebuffer framebuffer = framebuffer_for(config, frame, aovs);
+  draw(engine, config, frame, aovs, [&](const Sample& sample) { framebuffer.add(sample); });
+  return framebuffer;
+}
+
 }  // namespace wrinkle

@@ -32,6 +32,9 @@ EngineRun draw(Engine engine, const Config& config, const Frame& frame, const st
 // A framebuffer that fits the frame and the configuration.
 Framebuffer framebuffer_for(const Config& config, const Frame& frame, const std::vector<AovChannel>& aovs = {});
 
+// The frame as a picture, with the intermediates asked for.
+Framebuffer drawn(Engine engine, const Config& config, const Frame& frame, const std::vector<AovChannel>& aovs = {});
+
 // Colour codes and z of a hardware fragment as real numbers.
 Sample to_sample(const Config& config, const Fragment& fragment, std::uint32_t triangle);
 

@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
   wrinkle::add_area(app, command);
   wrinkle::add_error(app, command);
   wrinkle::add_speed(app, command);
+  wrinkle::add_figures(app, command);
   wrinkle::add_report(app, command);
   try {
     app.parse(argc, argv);

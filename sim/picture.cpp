@@ -93,27 +93,4 @@ Picture difference_picture(const Picture& a, const Picture& b, double gain) {
   return image;
 }
 
-Picture contact_sheet(const std::vector<Picture>& pictures, int columns) {
-  constexpr int kMargin = 8;
-  int width = 0, height = 0;
-  for (const Picture& picture : pictures) {
-    width = std::max(width, picture.width);
-    height = std::max(height, picture.height);
-  }
-  const int rows = (int(pictures.size()) + columns - 1) / columns;
-  Picture sheet(columns * (width + kMargin) + kMargin, rows * (height + kMargin) + kMargin, {"R", "G", "B"});
-  std::fill(sheet.data.begin(), sheet.data.end(), 1.0F);
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const Picture& picture = pictures[i];
-    const int left = kMargin + (int(i) % columns) * (width + kMargin);
-    const int top = kMargin + (int(i) / columns) * (height + kMargin);
-    for (int y = 0; y < picture.height; ++y) {
-      const auto row = picture.data.begin() + std::ptrdiff_t(3) * y * picture.width;
-      std::copy(row, row + std::ptrdiff_t(3) * picture.width,
-                sheet.data.begin() + std::ptrdiff_t(3) * ((top + y) * sheet.width + left));
-    }
-  }
-  return sheet;
-}
-
 }  // namespace wrinkle

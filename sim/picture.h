@@ -41,7 +41,4 @@ PictureDifference compare(const Picture& a, const Picture& b, const std::vector<
 // 0.5 + gain * (a - b), so that both signs are seen.
 Picture difference_picture(const Picture& a, const Picture& b, double gain);
 
-// Pictures of one size in rows of `columns`, with a margin.
-Picture contact_sheet(const std::vector<Picture>& pictures, int columns);
-
 }  // namespace wrinkle

@@ -41,13 +41,19 @@ std::string embedded(const nlohmann::json& data) {
   return text;
 }
 
-std::string page(const nlohmann::json& data) {
+// The data as tables, for the page to hand on and for files of their own.
+struct Tables {
+  std::string csv, markdown;
+};
+
+std::string page(const nlohmann::json& data, const Tables& tables) {
   const fs::path folder = fs::path(WRINKLE_SOURCE_DIR) / "sim" / "report" / "page";
   std::string text = part(folder / "page.html");
   replace(text, "@STYLE@", part(folder / "page.css"));
   replace(text, "@SCRIPT@", part(folder / "page.js"));
   replace(text, "@CHART@", part("/usr/share/javascript/chart.js/chart.min.js"));  // Debian's libjs-chart.js
   replace(text, "@DATA@", embedded(data));
+  replace(text, "@TEXTS@", embedded({{"csv", tables.csv}, {"markdown", tables.markdown}}));
   return text;
 }
 
@@ -62,10 +68,11 @@ nlohmann::json read_json(const fs::path& path) {
 
 int report(const Options& options) {
   const nlohmann::json data = options.from.empty() ? collect(options.measure) : read_json(options.from);
-  write_text(options.folder / "report.html", page(data));
+  const Tables tables{csv_tables(data), markdown_tables(data)};
+  write_text(options.folder / "report.html", page(data, tables));
   write_text(options.folder / "report.json", data.dump(1) + "\n");
-  write_text(options.folder / "report.csv", csv_tables(data));
-  write_text(options.folder / "report.md", markdown_tables(data));
+  write_text(options.folder / "report.csv", tables.csv);
+  write_text(options.folder / "report.md", tables.markdown);
   fmt::print("{}\n", (options.folder / "report.html").string());
   return kExitEqual;
 }
@@ -83,6 +90,7 @@ void add_report(CLI::App& app, Run& run) {
   command->add_flag("--rtl", options->measure.rtl, "Also pictures by the RTL");
   command->add_flag("--no-area", options->measure.no_area, "Leave out what needs synthesis");
   command->add_flag("--no-speed", options->measure.no_speed, "Leave out timings");
+  command->add_flag("--no-paper", options->measure.no_paper, "Leave out Figs. 5, 6 and 7 against each other");
   command->add_option("--from", options->from, "Make the page from the report.json of an earlier run");
   command->callback([options, &run] { run = [options] { return report(*options); }; });
 }

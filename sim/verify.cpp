@@ -8,6 +8,7 @@
 #include "sim/command.h"
 #include "sim/datapaths.h"
 #include "sim/input_error.h"
+#include "sim/layout.h"
 #include "sim/progress.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/vectors/vectors.h"

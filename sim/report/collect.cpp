@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "golden/pixel/pixel.h"
@@ -14,6 +16,7 @@
 #include "sim/datapaths.h"
 #include "sim/engine.h"
 #include "sim/report/error.h"
+#include "sim/report/paper.h"
 #include "sim/report/speed.h"
 #include "tb/process.h"
 
@@ -25,12 +28,13 @@ using nlohmann::json;
 
 void say(const std::string& message) { fmt::print(stderr, "wrinkle: {}\n", message); }
 
-// The name of a choice's value.
-std::string value_name(const Config& config, std::string_view key) {
+// Every choice of a configuration by name: what the page filters by.
+json choices(const Config& config) {
+  json result;
   for (const Parameter& p : parameters()) {
-    if (p.name == key) return std::string(p.values[std::size_t(config.*p.member)]);
+    if (!p.values.empty()) result[std::string(p.name)] = p.values[std::size_t(config.*p.member)];
   }
-  return {};
+  return result;
 }
 
 std::string base64(const std::string& bytes) {
@@ -53,6 +57,17 @@ std::string data_uri(const Picture& picture) {
   return uri;
 }
 
+// "Fig. 6" for patch_fig6; other scenes by their names.
+std::string picture_title(const std::string& scene) {
+  static const std::string kFigure = "patch_fig";
+  return scene.starts_with(kFigure) ? "Fig. " + scene.substr(kFigure.size()) : scene;
+}
+
+void add_picture(json& entries, const std::string& title, const std::string& engine, const std::string& config,
+                 const Picture& picture) {
+  entries.push_back({{"name", fmt::format("{}, {}", title, engine)}, {"config", config}, {"png", data_uri(picture)}});
+}
+
 json picture_entries(const ReportOptions& options) {
   json entries = json::array();
   std::vector<std::pair<Engine, const char*>> engines{
@@ -62,15 +77,36 @@ json picture_entries(const ReportOptions& options) {
     const Scene scene = scene_named(name);
     const Config config = load_config(scene.config);
     const Frame frame = build_frame(config, scene);
-    for (const auto& [engine, engine_name] : engines) {
-      Framebuffer framebuffer = framebuffer_for(config, frame);
-      draw(engine, config, frame, {}, [&](const Sample& sample) { framebuffer.add(sample); });
-      entries.push_back({{"name", fmt::format("{}, {}", name, engine_name)},
-                         {"config", scene.config},
-                         {"png", data_uri(framebuffer.colour())}});
-    }
+    for (const auto& [engine, engine_name] : engines)
+      add_picture(entries, picture_title(name), engine_name, scene.config, drawn(engine, config, frame).colour());
   }
   return entries;
+}
+
+// Figs. 5, 6 and 7 against each other. Pictures that the scenes do not bring join the others: the differences not,
+// which the page makes of any two.
+json paper_entry(const ReportOptions& options, json& pictures) {
+  PaperOptions paper;
+  paper.engine = options.rtl ? Engine::kRtl : Engine::kGolden;
+  const PaperFigures figures = draw_paper_figures(paper);
+  const std::string engine = figures.results["engine"];
+  const std::map<std::string, std::string> titles{{"fig5", "Fig. 5"},
+                                                  {"fig6", "Fig. 6"},
+                                                  {"fig7", "Fig. 7"},
+                                                  {"held_4x4", "Fig. 2 held, 4 x 4"},
+                                                  {"interpolated_4x4", "Fig. 2, 4 x 4"},
+                                                  {"rotated", "Rotated frame"},
+                                                  {"phong", "Phong"}};
+  for (const NamedPicture& named : figures.pictures) {
+    const auto title = titles.find(named.name);
+    if (title == titles.end()) continue;
+    const auto is_there = [&](const json& entry) {
+      return entry["name"] == fmt::format("{}, {}", title->second, engine);
+    };
+    if (std::none_of(pictures.begin(), pictures.end(), is_there))
+      add_picture(pictures, title->second, engine, "", named.picture);
+  }
+  return figures.results;
 }
 
 // The scene of `verify --all` that a configuration is for; the paper's patch for those that have none.
@@ -83,8 +119,7 @@ std::string scene_of(const std::string& config) {
 
 json config_entry(const std::string& name, const ReportOptions& options) {
   const Config config = load_config(name);
-  json entry{
-      {"name", name}, {"datapath", value_name(config, "datapath")}, {"normalizer", value_name(config, "normalizer_n")}};
+  json entry{{"name", name}, {"choices", choices(config)}};
   say(fmt::format("{}: error", name));
   entry["error"] = to_json(measure_error(name, config, build_frame(config, scene_named(scene_of(name)))));
   if (options.no_area) return entry;
@@ -100,11 +135,10 @@ json speed_entry(const ReportOptions& options, const json& configs) {
   json result{{"config", "standard"}, {"scene", "patch_fig6"}, {"engines", json::array()}, {"chips", json::array()}};
   for (const EngineSpeed& speed : measure_engines(standard, build_frame(standard, scene_named("patch_fig6")), 3))
     result["engines"].push_back(to_json(speed));
-  if (options.no_area) return result;
   for (const json& entry : configs) {
     const std::string name = entry["name"];
     const Config config = load_config(name);
-    const double period = entry["area"]["flat"]["critical_path_ns"];
+    const double period = options.no_area ? 0 : entry["area"]["flat"]["critical_path_ns"].get<double>();
     result["chips"].push_back(
         to_json(chip_speed(name, config, build_frame(config, scene_named(scene_of(name))), period)));
   }
@@ -116,16 +150,30 @@ std::string source_version() {
   return first_line({"git", "-C", WRINKLE_SOURCE_DIR, "describe", "--always", "--dirty"});
 }
 
+// As Linux names it.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
+  }
+  return "unknown";
+}
+
 json provenance(const ReportOptions& options) {
   json result;
   result["source"] = source_version();
   result["command"] =
-      fmt::format("./wrinkle report{}{} --scenes {}{}{}{}", options.configs.empty() ? "" : " --configs ",
+      fmt::format("./wrinkle report{}{} --scenes {}{}{}{}{}", options.configs.empty() ? "" : " --configs ",
                   fmt::join(options.configs, ","), fmt::join(options.scenes, ","), options.rtl ? " --rtl" : "",
-                  options.no_area ? " --no-area" : "", options.no_speed ? " --no-speed" : "");
-  result["figures alone"] = "./wrinkle area --figures";
+                  options.no_area ? " --no-area" : "", options.no_speed ? " --no-speed" : "",
+                  options.no_paper ? " --no-paper" : "");
+  result["area of Fig. 1, 2 and 3"] = "./wrinkle area --figures";
+  result["Fig. 5, 6 and 7"] = fmt::format("./wrinkle figures --engine {}", options.rtl ? "rtl" : "golden");
   result["one stage alone"] = "./wrinkle area standard --stage normalize";
   result["error of one configuration"] = "./wrinkle error standard patch_fig6";
+  result["speed"] = "./wrinkle speed standard patch_fig6";
+  result["processor"] = processor();
+  result["compiler"] = __VERSION__;
   result["synthesis"] = first_line({"yosys", "-V"});
   result["cells"] = liberty_path(CellLibrary::kOsu035).string();
   result["timing"] = "OpenSTA " + first_line({"sta", "-version"}) + ", typical corner, no wires";
@@ -159,6 +207,10 @@ json collect(const ReportOptions& options) {
     data["configs"].push_back(config_entry(name, options));
   say("pictures");
   data["pictures"] = picture_entries(options);
+  if (!options.no_paper) {
+    say("Fig. 5, 6 and 7");
+    data["paper"] = paper_entry(options, data["pictures"]);
+  }
   if (!options.no_speed) data["speed"] = speed_entry(options, data["configs"]);
   data["provenance"] = provenance(options);
   return data;

@@ -98,8 +98,7 @@ void add_values(const Config& c, Part part, const ReplayedPixel& pixel, PartSums
 }
 
 Picture picture_of(Engine engine, const Config& config, const Frame& frame, std::vector<std::uint8_t>& covered) {
-  Framebuffer framebuffer = framebuffer_for(config, frame);
-  draw(engine, config, frame, {}, [&](const Sample& sample) { framebuffer.add(sample); });
+  const Framebuffer framebuffer = drawn(engine, config, frame);
   covered = framebuffer.covered();
   return framebuffer.colour();
 }
@@ -149,11 +148,12 @@ ErrorReport measure_error(const std::string& config_name, const Config& config, 
   return report;
 }
 
+nlohmann::json to_json(const PictureError& e) {
+  return {{"psnr_db", e.psnr_db}, {"p999", e.p999}, {"max", e.max}, {"ssim", e.ssim}};
+}
+
 nlohmann::json to_json(const ErrorReport& report) {
   const auto spread = [](const Spread& s) { return nlohmann::json{{"rms", s.rms}, {"max", s.max}}; };
-  const auto picture = [](const PictureError& e) {
-    return nlohmann::json{{"psnr_db", e.psnr_db}, {"p999", e.p999}, {"max", e.max}, {"ssim", e.ssim}};
-  };
   nlohmann::json parts = nlohmann::json::array();
   for (const PartError& part : report.parts) {
     parts.push_back({{"stage", part.name},
@@ -168,8 +168,8 @@ nlohmann::json to_json(const ErrorReport& report) {
           {"scene", report.scene},
           {"fragments", report.fragments},
           {"stages", parts},
-          {"precision", picture(report.precision)},
-          {"method", picture(report.method)},
+          {"precision", to_json(report.precision)},
+          {"method", to_json(report.method)},
           {"replay_deviation", report.replay_deviation}};
 }
 

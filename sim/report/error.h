@@ -45,6 +45,7 @@ ErrorReport measure_error(const std::string& config_name, const Config& config, 
 
 PictureError picture_error(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& mask);
 
+nlohmann::json to_json(const PictureError& error);
 nlohmann::json to_json(const ErrorReport& report);
 
 }  // namespace wrinkle

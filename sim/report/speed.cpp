@@ -89,7 +89,7 @@ ChipSpeed chip_speed(const std::string& name, const Config& config, const Frame&
   options.compare = false;
   const BenchResult run = run_bench(config, frame, options);
   ChipSpeed speed{name, double(run.cycles) / double(run.fragments), period_ns, 0};
-  speed.pixels_per_s = 1e9 / (speed.clocks_per_pixel * period_ns);
+  if (period_ns > 0) speed.pixels_per_s = 1e9 / (speed.clocks_per_pixel * period_ns);
   return speed;
 }
 
@@ -98,10 +98,12 @@ nlohmann::json to_json(const EngineSpeed& speed) {
 }
 
 nlohmann::json to_json(const ChipSpeed& speed) {
-  return {{"config", speed.config},
-          {"clocks_per_pixel", speed.clocks_per_pixel},
-          {"period_ns", speed.period_ns},
-          {"pixels_per_s", speed.pixels_per_s}};
+  nlohmann::json object{{"config", speed.config}, {"clocks_per_pixel", speed.clocks_per_pixel}};
+  if (speed.period_ns > 0) {
+    object["period_ns"] = speed.period_ns;
+    object["pixels_per_s"] = speed.pixels_per_s;
+  }
+  return object;
 }
 
 }  // namespace wrinkle

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -41,6 +42,75 @@ Table table(const std::string& name, const json& rows, const std::string& row_ke
   return result;
 }
 
+const Columns& pair_columns() {
+  static const Columns columns{
+      {"psnr_db", {"psnr_db"}}, {"max", {"max"}}, {"p999", {"p999"}}, {"ssim", {"ssim"}}, {"pixels", {"pixels"}}};
+  return columns;
+}
+
+// The numbers or texts of an object, a row each.
+Table value_table(const std::string& name, const json& values) {
+  Table result{name, {"value"}, {}};
+  for (const auto& [key, value] : values.items()) result.rows.push_back({key, {cell(value, {})}});
+  return result;
+}
+
+// Fig. 1, 2 and 3 as wholes: `over_fig1` is what each has more, as a share of Fig. 1.
+Table whole_figures(const json& figures) {
+  json rows = json::array();
+  for (const char* name : {"fig1", "fig2", "fig3"}) {
+    rows.push_back(figures[name]);
+    rows.back()["row"] = name;
+    const std::string over = std::string(name) + "_over_fig1";
+    rows.back()["over_fig1"] = figures.contains(over) ? figures[over] : json(0.0);
+  }
+  return table("figures", rows, "row",
+               {{"nand2", {"nand2"}},
+                {"nand2_given", {"nand2_given"}},
+                {"um2", {"um2"}},
+                {"flip_flops", {"flip_flops"}},
+                {"critical_path_ns", {"critical_path_ns"}},
+                {"over_fig1", {"over_fig1"}}});
+}
+
+// Every choice of every configuration: what the page filters by.
+Table choice_table(const json& configs) {
+  Columns columns;
+  if (!configs.empty()) {
+    for (const auto& [key, value] : configs.front()["choices"].items()) columns.push_back({key, {"choices", key}});
+  }
+  return table("choices", configs, "name", columns);
+}
+
+// What a row is called where no key of its own says so.
+json named(json rows, const std::function<std::string(const json&)>& name) {
+  for (json& row : rows) row["row"] = name(row);
+  return rows;
+}
+
+std::string text_of(const json& row, const char* key) { return cell(row, {key}); }
+
+// Figs. 5, 6 and 7 against each other, and what the method loses.
+void add_paper(const json& paper, std::vector<Table>& all) {
+  json pairs = paper["pairs"];
+  for (const json& pair : {paper["held"]["pair"], paper["highlight"]["pair"], paper["highlight"]["highlight_pair"]})
+    pairs.push_back(pair);
+  const auto pair_name = [](const json& row) { return text_of(row, "a") + " against " + text_of(row, "b"); };
+  all.push_back(table("pictures", named(std::move(pairs), pair_name), "row", pair_columns()));
+  const auto method_name = [](const json& row) {
+    return fmt::format("{} {} {}x{}", text_of(row, "method"), text_of(row, "filtering"), text_of(row, "divisions"),
+                       text_of(row, "divisions"));
+  };
+  all.push_back(table("tessellation", named(paper["tessellation"], method_name), "row",
+                      {{"triangles", {"triangles"}},
+                       {"method_db", {"psnr_method_db"}},
+                       {"max_error_method", {"max_error_method"}},
+                       {"precision_db", {"psnr_precision_db"}}}));
+  all.push_back(table("rotated frame against phong", paper["highlight"]["exact"], "divisions",
+                      {{"psnr_db", {"psnr_db"}}, {"psnr_highlight_db", {"psnr_highlight_db"}}}));
+  all.push_back(value_table("eq8-11 against eq3-6", paper["warp"]));
+}
+
 std::vector<Table> tables(const json& report) {
   std::vector<Table> all;
   const Columns stage{{"nand2", {"nand2"}},
@@ -48,19 +118,23 @@ std::vector<Table> tables(const json& report) {
                       {"flip_flops", {"flip_flops"}},
                       {"critical_path_ns", {"critical_path_ns"}},
                       {"given", {"given"}}};
+  if (report.contains("figures")) all.push_back(whole_figures(report["figures"]));
   for (const char* figure : {"fig1", "fig2", "fig3"}) {
     if (report.contains("figures")) all.push_back(table(figure, report["figures"][figure]["stages"], "stage", stage));
   }
   all.push_back(table("configurations", report["configs"], "name",
-                      {{"datapath", {"datapath"}},
-                       {"normalizer", {"normalizer"}},
+                      {{"datapath", {"choices", "datapath"}},
+                       {"normalizer", {"choices", "normalizer_n"}},
                        {"nand2", {"area", "nand2"}},
                        {"flip_flops", {"area", "flip_flops"}},
                        {"critical_path_ns", {"area", "critical_path_ns"}},
                        {"sum_to_flat", {"area", "deviation"}},
                        {"precision_db", {"error", "precision", "psnr_db"}},
                        {"method_db", {"error", "method", "psnr_db"}},
+                       {"p999", {"error", "precision", "p999"}},
+                       {"max", {"error", "precision", "max"}},
                        {"ssim", {"error", "precision", "ssim"}}}));
+  all.push_back(choice_table(report["configs"]));
   for (const json& config : report["configs"]) {
     if (!config.contains("error")) continue;
     all.push_back(table("error of " + config["name"].get<std::string>(), config["error"]["stages"], "stage",
@@ -74,6 +148,7 @@ std::vector<Table> tables(const json& report) {
                          {"alone_db", {"psnr_alone_db"}},
                          {"without_db", {"psnr_without_db"}}}));
   }
+  if (report.contains("paper")) add_paper(report["paper"], all);
   if (report.contains("speed")) {
     all.push_back(table("engines", report["speed"]["engines"], "engine",
                         {{"pixels_per_cpu_s", {"pixels_per_cpu_s"}}, {"faithful_to", {"faithful_to"}}}));
@@ -82,6 +157,7 @@ std::vector<Table> tables(const json& report) {
                          {"period_ns", {"period_ns"}},
                          {"pixels_per_s", {"pixels_per_s"}}}));
   }
+  all.push_back(value_table("provenance", report["provenance"]));
   return all;
 }
 
@@ -110,9 +186,6 @@ std::string markdown_tables(const json& report) {
     text += "\n";
     for (const auto& [row, cells] : t.rows) text += fmt::format("| {} | {} |\n", row, fmt::join(cells, " | "));
   }
-  text += "\n## provenance\n\n";
-  for (const auto& [key, value] : report["provenance"].items())
-    text += fmt::format("- {}: {}\n", key, value.get<std::string>());
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "tb/process.h"
 #include "tb/random_frame.h"
 #include "tests/bench/configurations.h"
+#include "tests/bench/taps.h"
 
 namespace wrinkle {
 namespace {
@@ -142,37 +143,8 @@ TEST(Bench, Extreme54PacketsBackToBack) {
 // Every stage's values, tapped in the RTL, are those of the golden model.
 TEST(Bench, TapsOfEveryStageAreTheGoldenValues) {
   for (int index = 0; index <= kSpread; ++index) {
-    const Config config = index == kSpread ? small_config() : spread_config(index);
-    RandomFrame wish;
-    wish.seed = 60;
-    wish.fragments = 3000;
-    const Frame frame = random_frame(config, wish);
-    const PacketStream stream = build_packets(config, frame);
-    std::vector<FragmentValues> golden;
-    const auto keep = [&](const auto& batch) {
-      for (int i = 0; i < batch.count; ++i) extract(batch, i, golden.emplace_back());
-    };
-    Golden(config, frame.textures).draw(stream.words, {keep, keep});
-
-    const std::vector<Value> names = values(config);
-    std::size_t next = 0, differences = 0;
-    BenchSinks sinks;
-    sinks.values = [&](const Fragment&, const FragmentValues& rtl) {
-      ASSERT_LT(next, golden.size());
-      for (std::size_t v = 0; v < names.size(); ++v) {
-        for (std::size_t e = 0; names[v].present && e < static_cast<std::size_t>(names[v].elements); ++e) {
-          if (rtl[v][e] == golden[next][v][e] || differences++ > 3) continue;
-          ADD_FAILURE() << "configuration " << index << ", fragment " << next << ", " << names[v].stage << '.'
-                        << names[v].name << '[' << e << "]: golden " << golden[next][v][e] << ", rtl " << rtl[v][e];
-        }
-      }
-      ++next;
-    };
-    BenchOptions options;
-    options.stalls = StallProfile::kRandom;
-    EXPECT_TRUE(run_bench(config, stream, frame.textures, frame.name, options, sinks).equal());
-    EXPECT_EQ(next, golden.size());
-    EXPECT_EQ(differences, 0U);
+    SCOPED_TRACE(index);
+    expect_taps_are_golden(index == kSpread ? small_config() : spread_config(index));
   }
 }
 

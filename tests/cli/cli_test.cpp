@@ -86,12 +86,14 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCommand{"UnknownStalls", "verify patch_fig6 --stalls often", "bursty"},
                     BadCommand{"MissingVectors", "verify --vectors /no/such.txt", "/no/such.txt"},
                     BadCommand{"MissingRtl", "verify patch_fig6 --rtl /no/such", "/no/such"},
+                    BadCommand{"FiguresByIdeal", "figures --engine ideal", "rtl or golden"},
+                    BadCommand{"FiguresTooSmall", "figures --size 8", "--size"},
                     BadCommand{"NegativeLatency", "verify patch_fig6 --latency -1", "--latency"}),
     [](const auto& instance) { return instance.param.name; });
 
 TEST_F(Cli, HelpOfEveryCommand) {
   EXPECT_EQ(run("--help").exit_code, 0);
-  for (const char* command : {"demo", "render", "verify", "stress", "bench"}) {
+  for (const char* command : {"demo", "render", "verify", "stress", "bench", "figures"}) {
     const Result result = run(std::string(command) + " --help");
     EXPECT_EQ(result.exit_code, 0) << command;
     EXPECT_THAT(result.output, HasSubstr("--json"));
@@ -130,8 +132,39 @@ TEST_F(Cli, VerifyOfEqualEnginesExitsZero) {
   EXPECT_EQ(json("a.json")["runs"].size(), 2U);
 }
 
+// Fig. 2 converges to `ideal`, Fig. 3 does not, and least of all by Eq. 8-11.
+TEST_F(Cli, FiguresAreMeasuredAndWritten) {
+  const Result result = run("figures --engine golden --size 128 -o " + folder_.string() + " --json " + path("a.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  const nlohmann::json all = json("a.json");
+  for (const auto& [name, file] : all["images"].items())
+    EXPECT_GT(fs::file_size(file.get<std::string>()), 100U) << name;
+  for (const char* sheet : {"figures", "held", "highlight"}) EXPECT_TRUE(all["images"].contains(sheet));
+  ASSERT_EQ(all["pairs"].size(), 3U);
+  for (const auto& pair : all["pairs"]) {
+    EXPECT_GT(pair["psnr_db"], 25);
+    EXPECT_LT(pair["psnr_db"], 45) << "the pictures are not the same";
+    EXPECT_GT(pair["ssim"], .9);
+    EXPECT_GE(pair["max"], pair["p999"]);
+  }
+  const auto method = [&](const std::string& name, int divisions) {
+    for (const auto& row : all["tessellation"])
+      if (row["method"] == name && row["filtering"] == "level0" && row["divisions"] == divisions)
+        return row["psnr_method_db"].get<double>();
+    return 0.0;
+  };
+  EXPECT_NEAR(method("fig2", 32) - method("fig2", 4), 36, 2);
+  EXPECT_LT(method("fig2_held", 32), method("fig2", 32) - 6);
+  EXPECT_LT(method("fig3_eq3-6", 32), method("fig3_eq3-6", 16) + 1);
+  EXPECT_LT(method("fig3_eq8-11", 32), method("fig3_eq3-6", 32) - 6);
+  EXPECT_NEAR(method("fig1", 32) - method("fig1", 4), 36, 2);
+  EXPECT_GT(all["warp"]["max_degrees"], all["warp"]["mean_degrees_bumped"]);
+  const auto& exact = all["highlight"]["exact"];
+  EXPECT_NEAR(exact[3]["psnr_db"].get<double>() - exact[0]["psnr_db"].get<double>(), 36, 2);
+}
+
 // Bit 2 of the texture's normals turned round in the RTL: exit 1, with the stage named.
-TEST_F(Cli, VerifyOfWrongRtlExitsOneAndNamesTheStage) {
+TEST_F(Cli, WrongRtlExitsOneAndNamesTheStage) {
   fs::copy(fs::path(WRINKLE_SOURCE_DIR) / "rtl", folder_ / "rtl", fs::copy_options::recursive);
   const fs::path file = folder_ / "rtl/wrinkle_perturb.v";
   std::ifstream in(file);
@@ -141,6 +174,10 @@ TEST_F(Cli, VerifyOfWrongRtlExitsOneAndNamesTheStage) {
   ASSERT_NE(at, std::string::npos);
   text.replace(at, right.size(), right + " ^ 4");
   std::ofstream(file) << text;
+  const Result figures =
+      run("figures --size 64 --rtl " + folder_.string() + " -o " + folder_.string() + " --json " + path("f.json"));
+  EXPECT_EQ(figures.exit_code, 1) << figures.output;
+  EXPECT_GT(json("f.json")["figures"][1]["mismatches"], 0);
   const Result result = run("verify patch_fig6 --rtl " + folder_.string() + " --json " + path("a.json"));
   EXPECT_EQ(result.exit_code, 1) << result.output;
   EXPECT_THAT(result.output, HasSubstr("perturb"));

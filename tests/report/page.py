@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Loads a report in headless Chromium: hovers a point, moves the divide, filters, and asks for console errors.
+"""Loads a report in headless Chromium: hovers points, moves the divide, filters, and asks for console errors.
 
-usage: page.py REPORT.html [SCREENSHOT.png]      exit code 77: Chromium or chromedriver is not here
-Speaks the WebDriver protocol itself, so that nothing but Debian's chromium and chromium-driver is needed.
+usage: page.py [--screenshot FILE.png] [--size WIDTHxHEIGHT] REPORT.html
+--screenshot keeps the top of the page as a picture: docs/images/report.png is that of a whole run.
+Exit code 77: Chromium or chromedriver is not here. Speaks the WebDriver protocol itself, so that nothing but Debian's chromium and chromium-driver is needed.
 """
+import argparse
 import base64
 import json
 import pathlib
@@ -60,7 +62,14 @@ class Driver:
         self.call("POST", "/actions", {"actions": [
             {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": actions}]})
 
-    def screenshot(self, path):
+    def screenshot(self, path, width, height):
+        self.run("window.scrollTo(0, 0); document.documentElement.style.overflow = 'hidden'")
+        self.mouse([1, 1])
+        self.call("POST", "/window/rect", {"width": width, "height": height})
+        # What the browser's own frame takes from the window is put on top.
+        inner = self.run("return [window.innerWidth, window.innerHeight]")
+        self.call("POST", "/window/rect", {"width": 2 * width - inner[0], "height": 2 * height - inner[1]})
+        time.sleep(0.5)  # charts follow the width
         pathlib.Path(path).write_bytes(base64.b64decode(self.call("GET", "/screenshot")))
 
     def close(self):
@@ -119,7 +128,65 @@ def drag_divide(driver, share):
     return float(driver.run("return document.getElementById('picture-split').value"))
 
 
-def look(driver, page, screenshot):
+def choose(driver, select, value):
+    driver.run(f"""
+        const select = document.getElementById({json.dumps(select)});
+        select.value = {json.dumps(value)};
+        select.dispatchEvent(new Event('input'));""")
+
+
+ROWS = "return document.querySelectorAll('#trade-table tbody tr').length"
+
+
+def look_at_filters(driver):
+    """Every filter shows the configurations that have its value, and those alone."""
+    filters = driver.run("""
+        const data = JSON.parse(document.getElementById('data').textContent);
+        return [...document.querySelectorAll('#trade-filters select')].map(s => [s.id, [...s.options].map(o => [
+            o.value, data.configs.filter(c => o.value === 'all' || c.choices[s.dataset.key] === o.value).length])]);""")
+    check({"trade-datapath", "trade-normalizer_n"} <= {name for name, _ in filters}, "filters by datapath and normalizer")
+    for name, values in filters:
+        check(len(values) > 1 and all(count > 0 for _, count in values), f"{name}: {', '.join(v for v, _ in values)}")
+        for value, count in values:
+            choose(driver, name, value)
+            if driver.run(ROWS) != count:
+                check(False, f"{name} = {value} shows {count} configurations")
+        choose(driver, name, "all")
+    points = "return wrinkleReport.charts.trade.data.datasets.reduce((n, d) => n + d.data.length, 0)"
+    all_points = driver.run(points)
+    if all_points > 0:
+        values = [value for value, _ in dict(filters)["trade-datapath"] if value != "all"]
+        each = []
+        for value in values:
+            choose(driver, "trade-datapath", value)
+            each.append(driver.run(points))
+        choose(driver, "trade-datapath", "all")
+        check(sum(each) == all_points and driver.run(points) == all_points, f"points by datapath: {dict(zip(values, each))}")
+
+
+def look_at_paper(driver):
+    pairs = driver.run("""
+        return [...document.querySelectorAll('#pairs-table tbody tr')].slice(0, 3).map(
+            tr => [...tr.cells].slice(0, 2).map(td => td.textContent));""")
+    for name, decibels in pairs:
+        check(20 < float(decibels) < 60, f"{name}: {decibels} dB")
+    check(len(pairs) == 3, "Fig. 5, 6 and 7 against each other")
+    table = "return document.getElementById('tessellation-table').textContent"
+    before = driver.run(table)
+    other = driver.run("const s = document.getElementById('tessellation-filtering'); "
+                       "return [...s.options].map(o => o.value).find(v => v !== s.value)")
+    choose(driver, "tessellation-filtering", other)
+    check(driver.run(table) != before, "the method's errors follow the map")
+
+
+def look_at_downloads(driver):
+    for name, start in (("csv", "table,row,column,value"), ("markdown", "# Report"), ("json", "{")):
+        text = driver.call("POST", "/execute/async", {"args": [], "script": f"""
+            fetch(document.getElementById('save-{name}').href).then(r => r.text()).then(arguments[0]);"""})
+        check(text.startswith(start) and len(text) > 200, f"{name} of {len(text)} characters")
+
+
+def look(driver, page):
     driver.call("POST", "/url", {"url": pathlib.Path(page).resolve().as_uri()})
     check(wait_for(driver, "return typeof wrinkleReport === 'object' && Object.keys(wrinkleReport.charts).length >= 2"),
           "the page draws its charts")
@@ -141,33 +208,36 @@ def look(driver, page, screenshot):
     check(driver.run(PICTURE) != divided, "the difference is another picture")
     driver.run("document.getElementById('picture-difference').click()")
 
-    count = "return wrinkleReport.charts.trade.data.datasets.reduce((n, d) => n + d.data.length, 0)"
-    if "trade" in charts and driver.run(count) > 0:
-        driver.run("""
-            const select = document.getElementById('trade-datapath');
-            select.value = 'no such datapath';
-            select.dispatchEvent(new Event('input'));""")
-        check(driver.run(count) == 0, "the filter takes points away")
-        driver.run("""
-            const select = document.getElementById('trade-datapath');
-            select.value = 'all';
-            select.dispatchEvent(new Event('input'));""")
-        check(driver.run(count) > 0, "and gives them back")
-    if screenshot:
-        driver.run("window.scrollTo(0, 0)")
-        driver.screenshot(screenshot)
+    choose(driver, "picture-zoom", "4")
+    sizes = driver.run("const c = document.getElementById('picture-canvas'); "
+                       "return [c.width, c.getBoundingClientRect().width]")
+    check(sizes[1] == 4 * sizes[0], "zoomed four times")
+    choose(driver, "picture-zoom", "1")
+    choose(driver, "picture-split", "50")
+
+    look_at_filters(driver)
+    if driver.run("return !document.getElementById('paper').hidden"):
+        look_at_paper(driver)
+    look_at_downloads(driver)
     errors = [entry for entry in driver.call("POST", "/se/log", {"type": "browser"}) if entry["level"] == "SEVERE"]
     check(not errors, f"no console error {errors}")
 
 
 def main():
+    parser = argparse.ArgumentParser(description="looks at a report in headless Chromium")
+    parser.add_argument("report")
+    parser.add_argument("--screenshot", metavar="FILE")
+    parser.add_argument("--size", default="1160x1500", help="of the screenshot, WIDTHxHEIGHT")
+    arguments = parser.parse_args()
     if not shutil.which("chromium") or not shutil.which("chromedriver"):
         print("skipped: chromium or chromedriver is not installed")
         return SKIPPED
     with tempfile.TemporaryDirectory() as folder:
         driver = Driver(folder)
         try:
-            look(driver, sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else None)
+            look(driver, arguments.report)
+            if arguments.screenshot:
+                driver.screenshot(arguments.screenshot, *map(int, arguments.size.split("x")))
         finally:
             driver.close()
     return 0

@@ -1,32 +1,36 @@
 'use strict';
 // Everything on the page is made from the JSON in #data. `wrinkleReport` is what a test looks at.
 const data = JSON.parse(document.getElementById('data').textContent);
+const texts = JSON.parse(document.getElementById('texts').textContent);
 const charts = {};
 window.wrinkleReport = { charts };
 
-const colours = ['#4269d0', '#efb118', '#ff725c', '#6cc5b0', '#3ca951', '#ff8ab7', '#a463f2', '#97bbf5', '#9c6b4e', '#9498a0'];
+const colours = ['#4269d0', '#efb118', '#6cc5b0', '#3ca951', '#a463f2', '#97bbf5', '#9c6b4e', '#ff8ab7', '#9498a0', '#2f4b7c'];
+const accent = '#e8452c';  // the multiplexer, and the divide
 const element = id => document.getElementById(id);
 const fixed = (x, digits) => x === null || x === undefined ? '' : Number(x).toLocaleString('en', { minimumFractionDigits: digits, maximumFractionDigits: digits });
-const capital = name => name.replace(/^fig(\d)$/, 'Fig. $1');
+const decibels = x => x === null || x === undefined ? '' : x >= 200 ? 'equal' : fixed(x, 2);
+const capital = name => name.replace(/^fig(\d)/, 'Fig. $1');
+const sum = (list, value) => list.reduce((total, item) => total + value(item), 0);
+Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
+Chart.defaults.color = '#5d6675';
+Chart.defaults.borderColor = '#e8ecf2';
 
-// columns: [title, row => text, isText]
-function table(into, rows, columns) {
-  const t = document.createElement('table');
-  const head = t.createTHead().insertRow();
-  for (const [title, , isText] of columns) {
-    const th = document.createElement('th');
-    th.textContent = title;
-    if (isText) th.className = 'text';
-    head.append(th);
-  }
-  const body = t.createTBody();
+function create(tag, text, className) {
+  const made = document.createElement(tag);
+  if (text !== undefined) made.textContent = text;
+  if (className) made.className = className;
+  return made;
+}
+
+// columns: [title, row => text, isText]; rowClass: row => class or ''
+function table(into, rows, columns, rowClass) {
+  const t = create('table'), head = t.createTHead().insertRow(), body = t.createTBody();
+  for (const [title, , isText] of columns) head.append(create('th', title, isText ? 'text' : ''));
   for (const row of rows) {
     const tr = body.insertRow();
-    for (const [, value, isText] of columns) {
-      const td = tr.insertCell();
-      td.textContent = value(row);
-      if (isText) td.className = 'text';
-    }
+    if (rowClass) tr.className = rowClass(row);
+    for (const [, value, isText] of columns) tr.append(create('td', value(row), isText ? 'text' : ''));
   }
   element(into).replaceChildren(t);
 }
@@ -42,61 +46,150 @@ function chart(id, config) {
 }
 
 const figures = data.figures ? ['fig1', 'fig2', 'fig3'].map(name => data.figures[name]) : [];
+const standard = data.configs.find(c => c.name === 'standard');
+const pairs = data.paper ? data.paper.pairs : [];
+const pairName = p => `${capital(p.a)} against ${capital(p.b)}`;
+
+function drawTiles() {
+  const tiles = [];
+  if (figures.length) {
+    const over = f => `+${fixed(100 * (f.nand2 / figures[0].nand2 - 1), f === figures[2] ? 3 : 1)} %`;
+    tiles.push([over(figures[2]), 'gates of Fig. 3 over Fig. 1, the paper’s own'], [over(figures[1]), 'gates of Fig. 2 over Fig. 1, Blinn’s']);
+  }
+  if (pairs.length) tiles.push([`${fixed(pairs[0].psnr_db, 1)} dB`, `${pairName(pairs[0])}, SSIM ${fixed(pairs[0].ssim, 4)}`]);
+  if (standard && standard.error) tiles.push([`${fixed(standard.error.precision.psnr_db, 1)} dB`, 'what the widths of “standard” keep']);
+  const chip = data.speed && data.speed.chips.find(c => c.config === 'standard');
+  if (chip) tiles.push([fixed(chip.clocks_per_pixel, 3), 'clocks a pixel of “standard” on the patch']);
+  element('tiles').replaceChildren(...tiles.map(([number, text]) => {
+    const tile = create('div', undefined, 'tile');
+    tile.append(create('b', number), create('span', text));
+    return tile;
+  }));
+}
 
 function drawClaim() {
   if (!figures.length) return;
   const given = element('claim-given').checked;
-  const stages = [...new Set(figures.flatMap(f => f.stages.filter(s => given || !s.given).map(s => s.stage)))];
-  const area = (figure, name) => figure.stages.filter(s => s.stage === name).reduce((sum, s) => sum + s.nand2, 0);
+  const parts = figure => figure.stages.filter(s => given || !s.given);
+  const stages = [...new Set(figures.flatMap(f => parts(f).map(s => s.stage)))];
+  const area = (figure, name) => sum(parts(figure).filter(s => s.stage === name), s => s.nand2);
+  const total = figure => sum(parts(figure), s => s.nand2);
+  const isMultiplexer = name => name === 'perturb';
+  const title = name => isMultiplexer(name) ? 'perturb (Fig. 3: the multiplexer)' : name;
   chart('claim', {
     type: 'bar',
     data: {
       labels: ['Fig. 1, Phong', 'Fig. 2, Blinn', 'Fig. 3, multiplexer'],
-      datasets: stages.map((name, i) => ({ label: name, data: figures.map(f => area(f, name)), backgroundColor: colours[i % colours.length] })),
+      datasets: stages.map((name, i) => ({ label: title(name), data: figures.map(f => area(f, name)), backgroundColor: isMultiplexer(name) ? accent : colours[i % colours.length] })),
     },
     options: {
       indexAxis: 'y',
-      scales: { x: { stacked: true, title: { display: true, text: 'NAND2 equivalents' } }, y: { stacked: true } },
-      plugins: { tooltip: { callbacks: { label: c => `${c.dataset.label}: ${fixed(c.raw, 0)} NAND2` } } },
+      scales: { x: { stacked: true, title: { display: true, text: 'NAND2 equivalents' } }, y: { stacked: true, grid: { display: false } } },
+      plugins: {
+        legend: { position: 'bottom', labels: { boxWidth: 12 } },
+        tooltip: { callbacks: { label: c => `${c.dataset.label}: ${fixed(c.raw, 0)} NAND2, ${fixed(100 * c.raw / total(figures[c.dataIndex]), 3)} %` } },
+      },
     },
   });
-  const total = f => f.nand2 - (given ? 0 : f.nand2_given);
-  const share = f => 100 * (total(f) / total(figures[0]) - 1);
+  const share = f => 100 * (total(f) / total(figures[0]) - 1), more = f => total(f) - total(figures[0]);
+  const multiplexer = area(figures[2], 'perturb');
   element('claim-text').textContent =
-    `Fig. 3 costs ${fixed(total(figures[2]) - total(figures[0]), 0)} NAND2 more than Fig. 1: ${fixed(share(figures[2]), 3)} %. ` +
-    `Fig. 2 costs ${fixed(total(figures[1]) - total(figures[0]), 0)} more: ${fixed(share(figures[1]), 1)} %. ` +
+    `Fig. 3 costs ${fixed(more(figures[2]), 0)} NAND2 more than Fig. 1, ${fixed(share(figures[2]), 3)} %: ` +
+    `its multiplexer has ${fixed(multiplexer, 0)}, ${fixed(100 * multiplexer / total(figures[2]), 3)} % of the whole. ` +
+    `Fig. 2 costs ${fixed(more(figures[1]), 0)} more, ${fixed(share(figures[1]), 1)} %. ` +
     `All in ${figures[0].library} at the same widths of bounded vectors.`;
-  table('claim-table', stages, [
-    ['stage, NAND2', name => name],
-    ...figures.map(f => [capital(f.name), name => fixed(area(f, name), 0)]),
-  ]);
+  const rows = [...stages.map(name => ({ title: title(name), name, values: figures.map(f => area(f, name)) })),
+                { title: 'sum', values: figures.map(total) }];
+  table('claim-table', rows, [
+    ['stage, NAND2', row => row.title],
+    ...figures.map((f, i) => [capital(f.name), row => fixed(row.values[i], 0)]),
+    ['Fig. 2 – Fig. 1', row => fixed(row.values[1] - row.values[0], 0)],
+    ['Fig. 3 – Fig. 1', row => fixed(row.values[2] - row.values[0], 0)],
+    ['share of Fig. 3 %', row => fixed(100 * row.values[2] / total(figures[2]), 3)],
+  ], row => row.title === 'sum' ? 'sum' : isMultiplexer(row.name) ? 'marked' : '');
+}
+
+// The names of the points, where there is room for them.
+const pointNames = {
+  id: 'pointNames',
+  afterDatasetsDraw(chart) {
+    const context = chart.ctx, placed = [];
+    context.save();
+    context.font = `12px ${Chart.defaults.font.family}`;
+    context.fillStyle = '#3b4453';
+    const points = chart.data.datasets.flatMap((set, i) => chart.isDatasetVisible(i) ? chart.getDatasetMeta(i).data.map((p, k) => [p, set.data[k].name]) : []);
+    for (const [p] of points) placed.push([p.x - 7, p.y - 7, p.x + 7, p.y + 7]);
+    for (const [p, name] of points) {
+      const w = context.measureText(name).width;
+      const free = [[p.x + 10, p.y + 4], [p.x - w - 10, p.y + 4], [p.x - w / 2, p.y - 11], [p.x - w / 2, p.y + 20], [p.x - w / 2, p.y - 25], [p.x - w / 2, p.y + 34]]
+        .map(([x, y]) => [x, y - 11, x + w, y + 2])
+        .find(([x0, y0, x1, y1]) => x0 > chart.chartArea.left && x1 < chart.chartArea.right && y0 > chart.chartArea.top && y1 < chart.chartArea.bottom &&
+                                    placed.every(o => x1 < o[0] || x0 > o[2] || y1 < o[1] || y0 > o[3]));
+      if (!free) continue;
+      placed.push(free);
+      context.fillText(name, free[0], free[3] - 2);
+    }
+    context.restore();
+  },
+};
+
+// One filter for every choice in which the configurations differ; these two are always there.
+const mainFilters = ['datapath', 'normalizer_n'];
+function startTrade() {
+  const keys = [...new Set(data.configs.flatMap(c => Object.keys(c.choices)))];
+  const values = key => [...new Set(data.configs.map(c => c.choices[key]))];
+  const more = create('details');
+  more.append(create('summary', 'more filters'));
+  for (const key of keys) {
+    if (!mainFilters.includes(key) && values(key).length < 2) continue;
+    const label = create('label', key.replaceAll('_', ' ') + ' '), select = create('select');
+    select.id = 'trade-' + key;
+    select.dataset.key = key;
+    options(select, ['all', ...values(key)]);
+    select.addEventListener('input', drawTrade);
+    label.append(select);
+    (mainFilters.includes(key) ? element('trade-filters') : more).append(label);
+  }
+  if (more.children.length > 1) element('trade-filters').append(more);
 }
 
 function drawTrade() {
-  const datapath = element('trade-datapath').value, normalizer = element('trade-normalizer').value;
-  const shown = data.configs.filter(c => c.area && c.error && (datapath === 'all' || c.datapath === datapath) &&
-                                         (normalizer === 'all' || c.normalizer === normalizer));
-  const kinds = [...new Set(data.configs.map(c => c.datapath))];
+  const filters = [...element('trade-filters').querySelectorAll('select')].filter(s => s.value !== 'all');
+  const shown = data.configs.filter(c => filters.every(s => c.choices[s.dataset.key] === s.value));
+  const points = shown.filter(c => c.area && c.error);
+  const kinds = [...new Set(data.configs.map(c => c.choices.datapath))];
+  element('trade-chart').parentElement.hidden = !data.configs.some(c => c.area);
+  element('trade-note').textContent = data.configs.some(c => c.area) ? '' : 'Without synthesis there is no area to plot: the precision of each configuration is in the table.';
   chart('trade', {
     type: 'scatter',
+    plugins: [pointNames],
     data: {
       datasets: kinds.map((kind, i) => ({
         label: kind, backgroundColor: colours[i % colours.length], pointRadius: 7, pointHoverRadius: 9,
-        data: shown.filter(c => c.datapath === kind).map(c => ({ x: c.area.nand2, y: c.error.precision.psnr_db, name: c.name, path: c.area.critical_path_ns })),
+        data: points.filter(c => c.choices.datapath === kind).map(c => ({ x: c.area.nand2, y: c.error.precision.psnr_db, name: c.name, config: c })),
       })),
     },
     options: {
-      scales: { x: { title: { display: true, text: 'area, NAND2 equivalents' } }, y: { title: { display: true, text: 'precision, dB' } } },
-      plugins: { tooltip: { callbacks: { label: c => `${c.raw.name}: ${fixed(c.raw.x, 0)} NAND2, ${fixed(c.raw.y, 1)} dB, ${fixed(c.raw.path, 1)} ns` } } },
+      layout: { padding: { right: 8 } },
+      scales: { x: { grace: '6%', title: { display: true, text: 'area, NAND2 equivalents' } }, y: { grace: '8%', title: { display: true, text: 'precision, dB' } } },
+      plugins: {
+        legend: { position: 'bottom', labels: { boxWidth: 12 } },
+        tooltip: { callbacks: { label: ({ raw }) => [
+          `${raw.name}: ${fixed(raw.x, 0)} NAND2, ${fixed(raw.y, 1)} dB, ${fixed(raw.config.area.critical_path_ns, 1)} ns`,
+          `normalizers ${['n', 'l', 'h'].map(v => raw.config.choices['normalizer_' + v]).join(', ')}; scene ${raw.config.error.scene}`,
+        ] } },
+      },
     },
   });
+  const withArea = data.configs.some(c => c.area);
   table('trade-table', shown, [
-    ['configuration', c => c.name], ['datapath', c => c.datapath, true], ['normalizer', c => c.normalizer, true],
+    ['configuration', c => c.name], ['datapath', c => c.choices.datapath, true], ['normalizer of N', c => c.choices.normalizer_n, true],
     ['scene', c => c.error.scene, true],
-    ['NAND2', c => fixed(c.area.nand2, 0)], ['flip-flops', c => fixed(c.area.flip_flops, 0)],
-    ['critical path ns', c => fixed(c.area.critical_path_ns, 2)],
-    ['sum to flat %', c => c.area.deviation === undefined ? '' : fixed(100 * c.area.deviation, 2)],
-    ['precision dB', c => fixed(c.error.precision.psnr_db, 2)], ['method dB', c => fixed(c.error.method.psnr_db, 2)],
+    ...(withArea ? [
+      ['NAND2', c => fixed(c.area && c.area.nand2, 0)], ['flip-flops', c => fixed(c.area && c.area.flip_flops, 0)],
+      ['critical path ns', c => fixed(c.area && c.area.critical_path_ns, 2)],
+      ['sum to flat %', c => !c.area || c.area.deviation === undefined ? '' : fixed(100 * c.area.deviation, 2)]] : []),
+    ['precision dB', c => decibels(c.error.precision.psnr_db)], ['method dB', c => decibels(c.error.method.psnr_db)],
     ['SSIM', c => fixed(c.error.precision.ssim, 5)],
   ]);
 }
@@ -104,7 +197,7 @@ function drawTrade() {
 // Pictures: the left one up to the divide, the right one from there on; or their difference about mid grey.
 const images = new Map();
 function pixels(image) {
-  const canvas = document.createElement('canvas');
+  const canvas = create('canvas');
   canvas.width = image.width;
   canvas.height = image.height;
   const context = canvas.getContext('2d');
@@ -112,62 +205,83 @@ function pixels(image) {
   return context.getImageData(0, 0, image.width, image.height);
 }
 
+// The difference picture, and what it says in numbers: over the pixels where either picture differs from the
+// background, which is the colour that both have in their first corner.
+function difference(a, b, gain) {
+  const out = new ImageData(a.width, a.height);
+  let squares = 0, largest = 0, count = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    let drawn = false;
+    for (let c = 0; c < 3; ++c) {
+      const d = a.data[i + c] - b.data[i + c];
+      out.data[i + c] = 128 + gain * d;
+      squares += d * d;
+      largest = Math.max(largest, Math.abs(d));
+      drawn = drawn || a.data[i + c] !== a.data[c] || b.data[i + c] !== b.data[c];
+    }
+    out.data[i + 3] = 255;
+    count += drawn;
+  }
+  return { out, largest, psnr: 10 * Math.log10(255 * 255 * 3 * count / squares) };
+}
+
+function nameTag(context, text, x, align, size) {
+  context.font = `${size}px ${Chart.defaults.font.family}`;
+  const width = context.measureText(text).width + size;
+  const left = align === 'left' ? x : x - width;
+  context.fillStyle = 'rgba(20, 24, 30, .72)';
+  context.fillRect(left, size / 2, width, 1.6 * size);
+  context.fillStyle = '#fff';
+  context.fillText(text, left + size / 2, 1.65 * size);
+}
+
 function drawPictures() {
-  const a = images.get(element('picture-a').value), b = images.get(element('picture-b').value);
+  const names = [element('picture-a').value, element('picture-b').value];
+  const [a, b] = names.map(name => images.get(name));
   if (!a || !b) return;
   const canvas = element('picture-canvas'), context = canvas.getContext('2d');
   const zoom = Number(element('picture-zoom').value), split = Number(element('picture-split').value) / 100;
-  const alike = a.width === b.width && a.height === b.height;
-  if (canvas.width !== a.width || canvas.height !== a.height) {
-    canvas.width = a.width;
-    canvas.height = a.height;
-  }
+  canvas.width = a.width;
+  canvas.height = a.height;
   canvas.style.width = a.width * zoom + 'px';
   canvas.style.height = a.height * zoom + 'px';
-  if (!alike) {
+  if (a.width !== b.width || a.height !== b.height) {
     element('picture-text').textContent = 'Pictures of different sizes: only the left one is shown.';
     context.drawImage(a, 0, 0);
     return;
   }
-  const x = pixels(a), y = pixels(b);
-  let squares = 0, largest = 0;
-  const out = new ImageData(a.width, a.height);
-  for (let i = 0; i < x.data.length; ++i) {
-    const alpha = i % 4 === 3, d = x.data[i] - y.data[i];
-    out.data[i] = alpha ? 255 : 128 + 8 * d;
-    if (alpha) continue;
-    squares += d * d;
-    largest = Math.max(largest, Math.abs(d));
-  }
-  const mean = squares / (a.width * a.height * 3);
-  element('picture-text').textContent = mean === 0 ? 'Equal, pixel by pixel.' :
-    `Over the whole picture: PSNR ${fixed(10 * Math.log10(255 * 255 / mean), 2)} dB, largest difference ${largest} grey levels.`;
+  const { out, largest, psnr } = difference(pixels(a), pixels(b), Number(element('picture-gain').value));
+  element('picture-text').textContent = largest === 0 ? 'Equal, pixel by pixel.' :
+    `Over what is drawn: PSNR ${fixed(psnr, 2)} dB, largest difference ${largest} of 255. Drag on the picture to move the divide.`;
   if (element('picture-difference').checked) {
     context.putImageData(out, 0, 0);
     return;
   }
-  const at = Math.round(split * a.width);
+  const at = Math.round(split * a.width), tag = Math.max(6, Math.round(13 / zoom));
   context.drawImage(b, 0, 0);
   if (at > 0) context.drawImage(a, 0, 0, at, a.height, 0, 0, at, a.height);
-  context.fillStyle = '#ff3b30';
-  context.fillRect(at, 0, 1, a.height);
+  nameTag(context, names[0], 4, 'left', tag);
+  nameTag(context, names[1], a.width - 4, 'right', tag);
+  context.fillStyle = accent;
+  context.fillRect(at - 1 / zoom, 0, Math.max(1, 2 / zoom), a.height);
 }
 
 function startPictures() {
   const names = data.pictures.map(p => p.name);
-  for (const [id, index] of [['picture-a', 0], ['picture-b', Math.min(1, names.length - 1)]]) {
+  const engine = data.paper ? data.paper.engine : 'golden';
+  for (const [id, wish, index] of [['picture-a', `Fig. 5, ${engine}`, 0], ['picture-b', `Fig. 6, ${engine}`, Math.min(1, names.length - 1)]]) {
     options(element(id), names);
-    element(id).selectedIndex = index;
+    element(id).selectedIndex = names.includes(wish) ? names.indexOf(wish) : index;
   }
   for (const picture of data.pictures) {
     const image = new Image();
     image.onload = () => {
       images.set(picture.name, image);
-      drawPictures();
+      if ([element('picture-a').value, element('picture-b').value].includes(picture.name)) drawPictures();
     };
     image.src = picture.png;
   }
-  for (const id of ['picture-a', 'picture-b', 'picture-split', 'picture-zoom', 'picture-difference'])
+  for (const id of ['picture-a', 'picture-b', 'picture-split', 'picture-zoom', 'picture-difference', 'picture-gain'])
     element(id).addEventListener('input', drawPictures);
   // Dragging on the picture moves the divide.
   const canvas = element('picture-canvas');
@@ -179,19 +293,68 @@ function startPictures() {
   });
 }
 
+const methodNames = {
+  'fig1': 'Fig. 1', 'fig2': 'Fig. 2', 'fig2_held': 'Fig. 2, Pv x N and N x Pu held', 'fig3_eq3-6': 'Fig. 3, Eq. 3-6', 'fig3_eq8-11': 'Fig. 3, Eq. 8-11',
+};
+const filteringNames = { level0: 'level 0 alone, bilinear', configured: 'as configured' };
+
+function drawTessellation() {
+  const rows = data.paper.tessellation.filter(r => filteringNames[r.filtering] === element('tessellation-filtering').value);
+  const divisions = [...new Set(rows.map(r => r.divisions))], methods = [...new Set(rows.map(r => r.method))];
+  const of = (method, n) => rows.find(r => r.method === method && r.divisions === n);
+  chart('tessellation', {
+    type: 'line',
+    data: {
+      labels: divisions.map(n => `${n} x ${n}`),
+      datasets: methods.map((m, i) => ({ label: methodNames[m] || m, data: divisions.map(n => of(m, n).psnr_method_db), borderColor: colours[i], backgroundColor: colours[i], pointRadius: 5, tension: 0 })),
+    },
+    options: {
+      scales: { x: { title: { display: true, text: 'squares of the patch, two triangles each' } }, y: { title: { display: true, text: 'against Eq. 1-2, dB' } } },
+      plugins: { legend: { position: 'right', labels: { boxWidth: 12 } }, tooltip: { callbacks: { label: c => `${c.dataset.label}: ${fixed(c.raw, 2)} dB` } } },
+    },
+  });
+  table('tessellation-table', methods, [
+    ['method error, dB', m => methodNames[m] || m], ...divisions.map(n => [`${n} x ${n}`, m => decibels(of(m, n).psnr_method_db)]),
+  ]);
+}
+
+function drawPaper() {
+  if (!data.paper) return;
+  const { figures, warp, highlight, held, engine } = data.paper;
+  const counted = figures.filter(f => f.mismatches !== undefined);
+  element('paper-text').textContent =
+    `Fig. 5 is Blinn’s bump mapping, Fig. 6 the multiplexer with normals by Eq. 3-6, Fig. 7 the same by Eq. 8-11; ` +
+    `all three drawn by ${engine === 'rtl' ? 'the RTL' : 'the golden model'}. ` +
+    (counted.length ? `${fixed(sum(counted, f => f.pixels), 0)} pixels, ${fixed(sum(counted, f => f.mismatches), 0)} that differ from the golden model.` : '');
+  const title = p => ({ held_4x4: 'Fig. 2 at 4 x 4, held against interpolated', rotated: 'Rotated frame against Phong', rotated_highlight: 'the same, highlight alone' })[p.a] || pairName(p);
+  table('pairs-table', [...pairs, held.pair, highlight.pair, highlight.highlight_pair], [
+    ['pictures', title], ['PSNR dB', p => decibels(p.psnr_db)], ['largest difference', p => fixed(p.max, 4)],
+    ['p99.9', p => fixed(p.p999, 4)], ['SSIM', p => fixed(p.ssim, 5)], ['pixels', p => fixed(p.pixels, 0)],
+  ]);
+  options(element('tessellation-filtering'), [...new Set(data.paper.tessellation.map(r => filteringNames[r.filtering]))]);
+  element('tessellation-filtering').value = filteringNames.level0;
+  element('tessellation-filtering').addEventListener('input', drawTessellation);
+  drawTessellation();
+  element('paper-others').textContent =
+    `Eq. 8-11 take the stretched patch for a square: their normals lean from those of Eq. 3-6 by ${fixed(warp.mean_degrees_bumped, 2)} degrees ` +
+    `in the mean where there are bumps, ${fixed(warp.max_degrees, 2)} at most; without rounding the pictures are ${fixed(warp.psnr_exact_db, 2)} dB apart. ` +
+    `The rotated frame agrees with Phong shading to ${highlight.exact.map(e => fixed(e.psnr_db, 1)).join(', ')} dB at ` +
+    `${highlight.exact.map(e => e.divisions + ' x ' + e.divisions).join(', ')}.`;
+}
+
 function drawBudget() {
   const run = data.configs.find(c => c.name === element('budget-run').value);
   if (!run) return;
   chart('budget', {
     type: 'bar',
-    data: { labels: run.error.stages.map(s => s.stage), datasets: [{ label: 'grey levels, RMS', data: run.error.stages.map(s => s.grey.rms), backgroundColor: colours[0] }] },
-    options: { plugins: { legend: { display: false } }, scales: { y: { title: { display: true, text: 'grey levels, RMS' } } } },
+    data: { labels: run.error.stages.map(s => s.stage), datasets: [{ label: 'grey levels, RMS', data: run.error.stages.map(s => s.grey.rms), backgroundColor: colours[0], maxBarThickness: 70 }] },
+    options: { plugins: { legend: { display: false } }, scales: { x: { grid: { display: false } }, y: { title: { display: true, text: 'grey levels, RMS' } } } },
   });
   const pair = (s, key, digits) => `${fixed(s[key].rms, digits)} / ${fixed(s[key].max, digits)}`;
   table('budget-table', run.error.stages, [
     ['stage (RMS / maximum)', s => s.stage], ['ulp', s => pair(s, 'ulp', 3)], ['degrees', s => pair(s, 'degrees', 4)],
     ['length', s => pair(s, 'length', 5)], ['grey levels', s => pair(s, 'grey', 3)],
-    ['alone dB', s => fixed(s.psnr_alone_db, 2)], ['all others dB', s => fixed(s.psnr_without_db, 2)],
+    ['alone dB', s => decibels(s.psnr_alone_db)], ['all others dB', s => decibels(s.psnr_without_db)],
   ]);
 }
 
@@ -200,38 +363,50 @@ function drawSpeed() {
   const engines = data.speed.engines;
   chart('speed', {
     type: 'bar',
-    data: { labels: engines.map(e => e.engine), datasets: [{ data: engines.map(e => e.pixels_per_cpu_s), backgroundColor: colours[4] }] },
+    data: { labels: engines.map(e => e.engine), datasets: [{ label: 'pixels per CPU second', data: engines.map(e => e.pixels_per_cpu_s), backgroundColor: colours[3], maxBarThickness: 34 }] },
     options: {
       indexAxis: 'y', plugins: { legend: { display: false } },
-      scales: { x: { type: 'logarithmic', title: { display: true, text: 'pixels per CPU second' } } },
+      scales: { x: { type: 'logarithmic', ticks: { callback: v => /^10*$/.test(String(v)) ? fixed(v, 0) : '' }, title: { display: true, text: `pixels per CPU second, ${data.speed.config} on ${data.speed.scene}` } }, y: { grid: { display: false } } },
     },
   });
   table('speed-table', engines, [
     ['engine', e => e.engine], ['pixels per CPU second', e => fixed(e.pixels_per_cpu_s, 0)], ['faithful to', e => e.faithful_to, true],
   ]);
+  element('chip').hidden = !data.speed.chips.length;
   table('chip-table', data.speed.chips, [
     ['configuration', c => c.config], ['clocks per pixel', c => fixed(c.clocks_per_pixel, 3)],
-    ['clock period, ns', c => fixed(c.period_ns, 2)], ['million pixels per second', c => fixed(1e-6 * c.pixels_per_s, 1)],
+    ['clock period, ns', c => fixed(c.period_ns, 2)], ['million pixels per second', c => c.pixels_per_s ? fixed(1e-6 * c.pixels_per_s, 1) : ''],
   ]);
 }
 
+function startDownloads() {
+  for (const [id, type, text] of [['save-csv', 'text/csv', texts.csv], ['save-markdown', 'text/markdown', texts.markdown], ['save-json', 'application/json', JSON.stringify(data, null, 1)]])
+    element(id).href = URL.createObjectURL(new Blob([text], { type }));
+}
+
+function hideSection(id, hidden) {
+  element(id).hidden = hidden;
+  document.querySelector(`nav a[href="#${id}"]`).hidden = hidden;
+}
+
 function start() {
-  // A run without synthesis or timing has no such sections.
-  element('claim').hidden = !figures.length;
-  element('speed').hidden = !data.speed;
+  // A run without synthesis, pictures of the paper or timing has no such sections.
+  hideSection('claim', !figures.length);
+  hideSection('paper', !data.paper);
+  hideSection('speed', !data.speed);
+  drawTiles();
   drawClaim();
   element('claim-given').addEventListener('input', drawClaim);
-  const all = key => ['all', ...new Set(data.configs.map(c => c[key]))];
-  options(element('trade-datapath'), all('datapath'));
-  options(element('trade-normalizer'), all('normalizer'));
-  for (const id of ['trade-datapath', 'trade-normalizer']) element(id).addEventListener('input', drawTrade);
+  startTrade();
   drawTrade();
   startPictures();
+  drawPaper();
   options(element('budget-run'), data.configs.filter(c => c.error && c.error.stages.length).map(c => c.name));
-  if (data.configs.some(c => c.name === 'standard' && c.error)) element('budget-run').value = 'standard';
+  if (standard && standard.error) element('budget-run').value = 'standard';
   element('budget-run').addEventListener('input', drawBudget);
   drawBudget();
   drawSpeed();
   table('provenance-table', Object.entries(data.provenance), [['', e => e[0]], ['', e => e[1], true]]);
+  startDownloads();
 }
 start();
