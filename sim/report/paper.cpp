@@ -27,7 +27,7 @@ struct Detail {
   double x, y;
 };
 using Details = std::array<Detail, 2>;
-constexpr Details kFigureDetails{{{"bumps", .395, .36}, {"highlight", .225, .19}}};
+constexpr Details kFigureDetails{{{"bumps", .395, .36}, {"highlight", .235, .195}}};
 // Where the bumps of a triangle meet those of its neighbour.
 constexpr Details kHeldDetails{{{"edge of triangles", .28, .2}, {"edge of triangles", .785, .31}}};
 constexpr std::array<float, 3> kDetailColours[] = {{.93F, .27F, .2F}, {.2F, .5F, .95F}};
