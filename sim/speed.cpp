@@ -35,7 +35,9 @@ nlohmann::json chips(const Options& options, const Scene& scene) {
   nlohmann::json rows = nlohmann::json::array();
   for (const std::string& name : options.chips) {
     const Config config = load_config(name);
-    const double period = measure_area(name, config, {}).flat.critical_path_ns;
+    AreaOptions area;
+    area.flat = false;
+    const double period = measure_area(name, config, area).critical_path_ns();
     const ChipSpeed speed = chip_speed(name, config, build_frame(config, scene), period);
     fmt::print("{:<14} {:.3f} clocks per pixel, {:.2f} ns a clock in osu035: {:.1f} million pixels per second\n", name,
                speed.clocks_per_pixel, speed.period_ns, 1e-6 * speed.pixels_per_s);

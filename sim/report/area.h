@@ -27,6 +27,8 @@ struct AreaReport {
   double sum_um2() const;
   double sum_nand2() const;
   int flip_flops() const;
+  // The longest of the stages and of flat.
+  double critical_path_ns() const;
   // (sum of stages - flat) / flat; 0 without flat.
   double deviation() const;
 };
