@@ -3,11 +3,13 @@
 // N = (0, 0, 1): its dot products are components of L and H.
 //   shadow factor g of s = bump ? L.z : N.L:  hard (s > 0);  smooth min(8 s, 1)
 //   diffuse = nl * g, specular = nl > 0 ? power * g : 0;  without shadow diffuse = nl, specular = power
-// Latency 2, with DATAPATH rotated 1, with LIGHTING reflection 4; SPECULAR_SQUARINGS more where there is a highlight,
-// with SELF_SHADOW 1 more.
+// With NORMALIZE_ORDER after, the dot products are of mantissas, and wrinkle_scaled_dot scales them.
+// Latency 2, with DATAPATH rotated 1, with LIGHTING reflection 4, with NORMALIZE_ORDER after 3; SPECULAR_SQUARINGS more
+// where there is a highlight, with SELF_SHADOW 1 more.
 module wrinkle_light #(
   parameter DATAPATH           = 1,
   parameter LIGHTING           = 1,
+  parameter NORMALIZE_ORDER    = 0,
   parameter SELF_SHADOW        = 1,
   parameter DEPTH              = 1,
   parameter DECAL              = 0,
@@ -17,7 +19,9 @@ module wrinkle_light #(
   parameter DOT_BITS           = 10,  // DF
   parameter POWER_BITS         = 12,  // PF
   parameter SPECULAR_SQUARINGS = 5,   // K
-  parameter DEPTH_BITS         = 20
+  parameter DEPTH_BITS         = 20,
+  // Of the above: bits of the scales.
+  parameter SCALES = NORMALIZE_ORDER == 0 ? 1 : (LIGHTING != 0 ? 3 : 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2))
 ) (
   input  wire       clk,
   input  wire       rst,
@@ -30,6 +34,7 @@ module wrinkle_light #(
   input  wire [3*(UNIT_BITS+2)-1:0]                           n_i,         // s1.F
   input  wire [3*(UNIT_BITS+2)-1:0]                           l_i,
   input  wire [(LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0]     h_i,
+  input  wire [SCALES-1:0]                                    scale_i,     // u1.RB each, of N in the low bits
   input  wire                                                 zero_i,
   input  wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]           decal_i,
   input  wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_i,
@@ -49,11 +54,18 @@ module wrinkle_light #(
   localparam N       = UNIT_BITS + 2;
   localparam K       = LIGHTING != 0 ? SPECULAR_SQUARINGS : 0;
   localparam SHADOW  = SELF_SHADOW != 0 ? 1 : 0;
-  localparam DOT     = DATAPATH == 3 ? 1 : 2;         // latency of a dot product
+  localparam AFTER   = NORMALIZE_ORDER != 0 ? 1 : 0;
+  localparam RB      = UNIT_BITS == 15 ? 17 : UNIT_BITS + 1;
+  localparam DOT     = DATAPATH == 3 ? 1 : AFTER != 0 ? 3 : 2;  // latency of a dot product
   localparam DOTS    = LIGHTING == 2 ? 4 : DOT;       // ... of what goes to the power
   localparam RANKS   = DOTS + K + SHADOW;
 
   wire              advance;
+  generate
+    if (AFTER == 0) begin : units
+      wire unused_scale = scale_i;
+    end
+  endgenerate
   wire [DOT_BITS:0] nl_early, nl;  // after the dot product and after the power
 
   wrinkle_pipe #(.RANKS(RANKS)) pipe (
@@ -69,6 +81,10 @@ module wrinkle_light #(
         .value_i(l_i[2*N +: N]), .clamped_o(lz));
       wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nl (
         .clk(clk), .advance_i(advance), .data_i(lz), .data_o(nl_early));
+    end else if (AFTER != 0) begin : deferred
+      wrinkle_scaled_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
+        .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .scale_a_i(scale_i[0 +: RB+1]),
+        .scale_b_i(scale_i[RB+1 +: RB+1]), .dot_o(nl_early));
     end else begin : general
       wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
         .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .dot_o(nl_early));
@@ -122,6 +138,10 @@ module wrinkle_light #(
           .value_i(h_i[2*N +: N]), .clamped_o(hz));
         wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nh (
           .clk(clk), .advance_i(advance), .data_i(hz), .data_o(nh));
+      end else if (AFTER != 0) begin : deferred_h
+        wrinkle_scaled_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nh (
+          .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .scale_a_i(scale_i[0 +: RB+1]),
+          .scale_b_i(scale_i[2*(RB+1) +: RB+1]), .dot_o(nh));
       end else begin : general_h
         wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nh (
           .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .dot_o(nh));

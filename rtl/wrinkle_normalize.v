@@ -2,7 +2,8 @@
 // N, L and H to unit length, each by its own unit; `zero` tells that one of them had no length. Constant light vectors
 // come from the draw state, and in the rotated frame N = (0, 0, 1): neither has a unit. With LIGHTING pixel_halfangle
 // H is made here, from the unit vectors L and E, and has a unit of its own behind theirs.
-// Latency 5, or 1 when no vector has a normalizer; pixel_halfangle adds 6.
+// With NORMALIZE_ORDER after, `light` does the scaling: n, l, h are mantissas, each with its scale.
+// Latency 5, or 1 when no vector has a normalizer; pixel_halfangle adds 6; with NORMALIZE_ORDER after 4.
 module wrinkle_normalize #(
   parameter DATAPATH     = 1,
   parameter LIGHT_VECTORS = 0,
@@ -10,6 +11,7 @@ module wrinkle_normalize #(
   parameter NORMALIZER_N = 1,
   parameter NORMALIZER_L = 1,
   parameter NORMALIZER_H = 1,
+  parameter NORMALIZE_ORDER = 0,
   parameter DEPTH        = 1,
   parameter DECAL        = 0,
   parameter SCREEN_BITS  = 10,
@@ -18,10 +20,11 @@ module wrinkle_normalize #(
   parameter TEXEL_BITS   = 8,
   parameter UNIT_BITS    = 9,
   parameter DEPTH_BITS   = 20,
-  // Of the above: bits of N', of L, of H or E.
+  // Of the above: bits of N', of L, of H or E, of the scales.
   parameter BUMPED = DATAPATH == 3 ? 1 : DATAPATH == 2 ? 3*(WIDE_BITS+3) : 3*(VECTOR_BITS+2),
   parameter LVEC   = LIGHT_VECTORS != 0 ? 1 : 3*(VECTOR_BITS+2),
-  parameter HVEC   = LIGHTING != 0 ? LVEC : 1
+  parameter HVEC   = LIGHTING != 0 ? LVEC : 1,
+  parameter SCALES = NORMALIZE_ORDER == 0 ? 1 : (LIGHTING != 0 ? 3 : 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2))
 ) (
   input  wire clk,
   input  wire rst,
@@ -39,6 +42,7 @@ module wrinkle_normalize #(
   output wire [3*(UNIT_BITS+2)-1:0]                           n_o,     // s1.F
   output wire [3*(UNIT_BITS+2)-1:0]                           l_o,
   output wire [(LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0]     h_o,
+  output wire [SCALES-1:0]                                    scale_o, // u1.RB each, of N in the low bits
   output wire                                                 zero_o,
   output wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]           decal_o,
   output wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_o,
@@ -52,7 +56,9 @@ module wrinkle_normalize #(
   localparam HAS_H     = LIGHTING != 0 ? HAS_LIGHT : 0;
   localparam LATE_H    = LIGHTING == 3 ? 1 : 0;                         // H is made of L and E
   localparam KIND_H    = LATE_H != 0 ? NORMALIZER_L : NORMALIZER_H;     // of what h_i brings
-  localparam FIRST     = (HAS_N != 0 && NORMALIZER_N != 0) || (HAS_LIGHT != 0 && NORMALIZER_L != 0) ||
+  localparam AFTER     = NORMALIZE_ORDER != 0 ? 1 : 0;
+  localparam RB        = UNIT_BITS == 15 ? 17 : UNIT_BITS + 1;
+  localparam FIRST     = AFTER != 0 ? 4 : (HAS_N != 0 && NORMALIZER_N != 0) || (HAS_LIGHT != 0 && NORMALIZER_L != 0) ||
                          (HAS_H != 0 && KIND_H != 0) ? 5 : 1;
   localparam SECOND    = LATE_H != 0 ? 6 : 0;                           // the sum, and its normalizer
   localparam RANKS     = FIRST + SECOND;
@@ -68,8 +74,14 @@ module wrinkle_normalize #(
     .clk(clk), .advance_i(advance), .data_i(zero_n | zero_l | zero_h), .data_o(zero_o));
 
   generate
-    if (HAS_N != 0) begin : with_n
+    if (AFTER != 0) begin : deferred_n
+      wrinkle_deferred_vector #(
+        .VECTOR_BITS(DATAPATH == 2 ? WIDE_BITS + 1 : VECTOR_BITS), .UNIT_BITS(UNIT_BITS)
+      ) deferred (
+        .clk(clk), .advance_i(advance), .vector_i(n_i), .mantissa_o(n_o), .scale_o(scale_o[0 +: RB+1]), .zero_o(zero_n));
+    end else if (HAS_N != 0) begin : with_n
       wire [UNIT-1:0] n;
+      assign scale_o = 1'b0;
       wrinkle_unit_vector #(
         .NORMALIZER(NORMALIZER_N), .VECTOR_BITS(DATAPATH == 2 ? WIDE_BITS + 1 : VECTOR_BITS), .UNIT_BITS(UNIT_BITS),
         .RANKS(FIRST)
@@ -78,11 +90,17 @@ module wrinkle_normalize #(
         .clk(clk), .advance_i(advance), .data_i(n), .data_o(n_o));
     end else begin : without_n
       wire unused_pins = n_i;
-      assign n_o    = {2'b01, {(UNIT - 2){1'b0}}};
-      assign zero_n = 1'b0;
+      assign n_o     = {2'b01, {(UNIT - 2){1'b0}}};
+      assign scale_o = 1'b0;
+      assign zero_n  = 1'b0;
     end
 
-    if (HAS_LIGHT != 0) begin : with_l
+    if (AFTER != 0) begin : deferred_l
+      wire unused_draw = &{1'b0, draw_l_i, draw_h_i};
+      wrinkle_deferred_vector #(.VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS)) deferred (
+        .clk(clk), .advance_i(advance), .vector_i(l_i), .mantissa_o(l), .scale_o(scale_o[RB+1 +: RB+1]), .zero_o(zero_l));
+      assign l_o = l;
+    end else if (HAS_LIGHT != 0) begin : with_l
       wire unused_draw = &{1'b0, draw_l_i, draw_h_i};
       wrinkle_unit_vector #(
         .NORMALIZER(NORMALIZER_L), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .RANKS(FIRST)
@@ -96,7 +114,11 @@ module wrinkle_normalize #(
       assign zero_l = 1'b0;
     end
 
-    if (LIGHTING != 0) begin : glossy
+    if (AFTER != 0 && LIGHTING != 0) begin : deferred_h
+      wrinkle_deferred_vector #(.VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS)) deferred (
+        .clk(clk), .advance_i(advance), .vector_i(h_i), .mantissa_o(h_o), .scale_o(scale_o[2*(RB+1) +: RB+1]),
+        .zero_o(zero_h));
+    end else if (LIGHTING != 0) begin : glossy
       wire [UNIT-1:0] h;
       if (HAS_H != 0) begin : with_h
         wrinkle_unit_vector #(

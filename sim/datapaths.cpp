@@ -6,6 +6,7 @@ std::vector<DatapathFrame> datapath_frames() {
   return {
       {0, {"phong", "patch_fig1", "phong", {}}},
       {0, {"tangent", "patch_fig6", "standard", {}}},
+      {0, {"after", "patch_fig6", "standard", {"normalize_order=after", "self_shadow=off"}}},
       {0, {"no_normalizer", "patch_fig6", "standard", {"normalizer_l=none", "normalizer_h=none"}}},
       {1, {"blinn", "patch_fig5", "blinn", {}}},
       {1, {"blinn_draw_exponent", "patch_fig5", "blinn", {"block_exponent=draw"}}},

@@ -125,6 +125,19 @@ all_three "reflection, widest dots, no normalizers" \
 all_three "half-angle at every pixel" LIGHTING=3
 all_three "half-angle at every pixel, one normalizer" LIGHTING=3 NORMALIZER_N=0 NORMALIZER_L=0
 
+all_three "normalized after" NORMALIZE_ORDER=1 SELF_SHADOW=0
+all_three "normalized after, diffuse, V < F" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 LIGHTING=0 DATAPATH=0 VECTOR_BITS=5 UNIT_BITS=15 DOT_BITS=6 POWER_BITS=6
+all_three "normalized after, V > F" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=18 UNIT_BITS=6 DOT_BITS=12 PERSPECTIVE=1
+all_three "normalized after, largest" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=18 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18 SPECULAR_SQUARINGS=8
+all_three "normalized after, smallest" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=5 UNIT_BITS=6 DOT_BITS=6 POWER_BITS=6 SPECULAR_SQUARINGS=0
+all_three "normalized after, smallest dots of the longest vectors" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 DATAPATH=2 WIDE_BITS=22 UNIT_BITS=16 DOT_BITS=6 POWER_BITS=6
+all_three "normalized after, blinn, diffuse" NORMALIZE_ORDER=1 SELF_SHADOW=0 DATAPATH=2 LIGHTING=0
+
 for stage in $stages; do
   check "verilator wrinkle_$stage alone" verilator_lint "wrinkle_$stage"
   check "icarus    wrinkle_$stage alone" icarus_lint "wrinkle_$stage"
@@ -138,6 +151,10 @@ for stage in packet interpolate perspective texture perturb normalize light; do
     check "yosys     wrinkle_$stage alone, datapath $datapath, synthesized" \
       yosys_synthesize "wrinkle_$stage" DATAPATH=$datapath
   done
+done
+for stage in normalize light; do
+  check "verilator wrinkle_$stage alone, normalized after" verilator_lint "wrinkle_$stage" NORMALIZE_ORDER=1
+  check "yosys     wrinkle_$stage alone, normalized after, synthesized" yosys_synthesize "wrinkle_$stage" NORMALIZE_ORDER=1
 done
 for lighting in 2 3; do
   check "yosys     wrinkle_normalize alone, lighting $lighting, synthesized" \
@@ -158,6 +175,10 @@ refused "icarus refuses blinn without a normalizer" wrinkle_error_normalizer_n_m
   icarus_lint wrinkle_core DATAPATH=2 NORMALIZER_N=0
 refused "yosys refuses a half-angle at every pixel without a normalizer" \
   wrinkle_error_normalizer_h_must_take_any_length yosys_check wrinkle_core LIGHTING=3 NORMALIZER_H=0
+refused "icarus refuses self-shadow of vectors that are normalized after" wrinkle_error_normalize_order_after \
+  icarus_lint wrinkle_core NORMALIZE_ORDER=1
+refused "yosys refuses constant light of vectors that are normalized after" wrinkle_error_normalize_order_after \
+  yosys_check wrinkle_core NORMALIZE_ORDER=1 SELF_SHADOW=0 LIGHT_VECTORS=1
 refused "verilator refuses FILTER=3" wrinkle_error_filter verilator_lint wrinkle_core FILTER=3
 refused "icarus refuses DOT_BITS > 2 UNIT_BITS" wrinkle_error_dot_bits_exceeds icarus_lint wrinkle_core UNIT_BITS=6 \
   DOT_BITS=13 POWER_BITS=13
