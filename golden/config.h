@@ -58,6 +58,8 @@ struct Config {
   bool trilinear() const { return filter == static_cast<int>(Filter::kTrilinear); }
   // Dot products of mantissas, scaled by the reciprocal lengths of both vectors.
   bool normalizes_after() const { return normalize_order == static_cast<int>(NormalizeOrder::kAfter); }
+  // Of N, L and H as `normalize` hands them on: unit vectors in s1.F, or mantissas in s0.F.
+  int normalized_width() const { return unit_bits + (normalizes_after() ? 1 : 2); }
   // RB: fraction bits of a reciprocal length, u1.RB.
   int scale_bits() const;
   // Bits of the mantissa of a vector that is normalized after: of magnitudes of V + 1 bits the leading F.

@@ -82,7 +82,7 @@ module wrinkle_core #(
   localparam BUMPED = DATAPATH == 3 ? 1 : BLINN != 0 ? 3 * (WIDE_BITS + 3) : VEC;        // N'
   localparam LVEC   = LIGHT_VECTORS != 0 ? 1 : VEC;
   localparam HVEC   = HALF != 0 ? LVEC : 1;
-  localparam UNIT   = 3 * (UNIT_BITS + 2);
+  localparam UNIT   = 3 * (UNIT_BITS + (NORMALIZE_ORDER != 0 ? 1 : 2));                  // N, L, H normalized
   localparam SCALES = NORMALIZE_ORDER == 0 ? 1 : (HALF + 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2));
   localparam UV     = TEX != 0 ? UV_INTEGER_BITS + UV_BITS : 1;
   localparam LOD    = TEX == 0 ? 1 : FILTER == 2 ? 6 + LOD_BITS : 6;

@@ -20,7 +20,8 @@ module wrinkle_light #(
   parameter POWER_BITS         = 12,  // PF
   parameter SPECULAR_SQUARINGS = 5,   // K
   parameter DEPTH_BITS         = 20,
-  // Of the above: bits of the scales.
+  // Of the above: bits of N, of the scales.
+  parameter UNIT   = 3*(UNIT_BITS + (NORMALIZE_ORDER != 0 ? 1 : 2)),
   parameter SCALES = NORMALIZE_ORDER == 0 ? 1 : (LIGHTING != 0 ? 3 : 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2))
 ) (
   input  wire       clk,
@@ -31,9 +32,9 @@ module wrinkle_light #(
   input  wire [3:0] draw_squarings_i,
   input  wire       in_valid_i,
   output wire       in_ready_o,
-  input  wire [3*(UNIT_BITS+2)-1:0]                           n_i,         // s1.F
-  input  wire [3*(UNIT_BITS+2)-1:0]                           l_i,
-  input  wire [(LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0]     h_i,
+  input  wire [UNIT-1:0]                                      n_i,         // s1.F, a mantissa s0.F
+  input  wire [UNIT-1:0]                                      l_i,
+  input  wire [(LIGHTING != 0 ? UNIT : 1)-1:0]                h_i,
   input  wire [SCALES-1:0]                                    scale_i,     // u1.RB each, of N in the low bits
   input  wire                                                 zero_i,
   input  wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]           decal_i,

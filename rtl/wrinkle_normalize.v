@@ -20,10 +20,11 @@ module wrinkle_normalize #(
   parameter TEXEL_BITS   = 8,
   parameter UNIT_BITS    = 9,
   parameter DEPTH_BITS   = 20,
-  // Of the above: bits of N', of L, of H or E, of the scales.
+  // Of the above: bits of N', of L, of H or E, of a vector that is handed on, of the scales.
   parameter BUMPED = DATAPATH == 3 ? 1 : DATAPATH == 2 ? 3*(WIDE_BITS+3) : 3*(VECTOR_BITS+2),
   parameter LVEC   = LIGHT_VECTORS != 0 ? 1 : 3*(VECTOR_BITS+2),
   parameter HVEC   = LIGHTING != 0 ? LVEC : 1,
+  parameter UNIT   = 3*(UNIT_BITS + (NORMALIZE_ORDER != 0 ? 1 : 2)),
   parameter SCALES = NORMALIZE_ORDER == 0 ? 1 : (LIGHTING != 0 ? 3 : 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2))
 ) (
   input  wire clk,
@@ -39,9 +40,9 @@ module wrinkle_normalize #(
   input  wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_i,
   output wire out_valid_o,
   input  wire out_ready_i,
-  output wire [3*(UNIT_BITS+2)-1:0]                           n_o,     // s1.F
-  output wire [3*(UNIT_BITS+2)-1:0]                           l_o,
-  output wire [(LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0]     h_o,
+  output wire [UNIT-1:0]                                      n_o,     // s1.F, a mantissa s0.F
+  output wire [UNIT-1:0]                                      l_o,
+  output wire [(LIGHTING != 0 ? UNIT : 1)-1:0]                h_o,
   output wire [SCALES-1:0]                                    scale_o, // u1.RB each, of N in the low bits
   output wire                                                 zero_o,
   output wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]           decal_o,
@@ -50,7 +51,6 @@ module wrinkle_normalize #(
 );
   localparam TAG       = 2 * SCREEN_BITS + 1 + (DEPTH != 0 ? DEPTH_BITS : 0);
   localparam DECAL_W   = DECAL != 0 ? 3 * TEXEL_BITS : 1;
-  localparam UNIT      = 3 * (UNIT_BITS + 2);
   localparam HAS_N     = DATAPATH != 3 ? 1 : 0;
   localparam HAS_LIGHT = LIGHT_VECTORS == 0 ? 1 : 0;
   localparam HAS_H     = LIGHTING != 0 ? HAS_LIGHT : 0;

@@ -11,11 +11,11 @@ module wrinkle_deferred_vector #(
   input  wire                         clk,
   input  wire                         advance_i,
   input  wire [3*(VECTOR_BITS+2)-1:0] vector_i,    // s1.V each, x in the low bits
-  output wire [3*(UNIT_BITS+2)-1:0]   mantissa_o,  // s1.F each, below 1, the greatest at least 1/2
+  output wire [3*(UNIT_BITS+1)-1:0]   mantissa_o,  // s0.F each, the greatest at least 1/2
   output wire [SCALE_BITS:0]          scale_o,     // u1.RB
   output wire                         zero_o
 );
-  localparam N = UNIT_BITS + 2;
+  localparam N = UNIT_BITS + 1;
   localparam M = VECTOR_BITS < UNIT_BITS ? VECTOR_BITS + 1 : UNIT_BITS;
 
   wire [3*M-1:0]      m;
@@ -24,7 +24,8 @@ module wrinkle_deferred_vector #(
   wire                halve;
 
   wrinkle_reciprocal_length #(
-    .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .MANTISSA_BITS(M), .PIPELINED(PIPELINED), .OUTPUT_BITS(SCALE_BITS)
+    .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .MANTISSA_BITS(M), .COMPLEMENT(1), .PIPELINED(PIPELINED),
+    .OUTPUT_BITS(SCALE_BITS)
   ) reciprocal_length (
     .clk(clk), .advance_i(advance_i), .vector_i(vector_i), .m_o(m), .negative_o(negative), .r_o(r), .halve_o(halve),
     .zero_o(zero_o));
@@ -34,13 +35,11 @@ module wrinkle_deferred_vector #(
   genvar k;
   generate
     for (k = 0; k < 3; k = k + 1) begin : component
-      wire [N-1:0] magnitude;
       if (M < UNIT_BITS) begin : padded
-        assign magnitude = {2'b00, m[k*M +: M], {(UNIT_BITS - M){1'b0}}};
+        assign mantissa_o[k*N +: N] = {negative[k], m[k*M +: M], {(UNIT_BITS - M){1'b0}}};
       end else begin : whole
-        assign magnitude = {2'b00, m[k*M +: M]};
+        assign mantissa_o[k*N +: N] = {negative[k], m[k*M +: M]};
       end
-      assign mantissa_o[k*N +: N] = negative[k] ? -magnitude : magnitude;
     end
   endgenerate
 endmodule

@@ -8,15 +8,13 @@ module wrinkle_scaled_dot #(
 ) (
   input  wire                       clk,
   input  wire                       advance_i,
-  input  wire [3*(UNIT_BITS+2)-1:0] a_i,        // s1.F, below one, x in the low bits
-  input  wire [3*(UNIT_BITS+2)-1:0] b_i,
+  input  wire [3*(UNIT_BITS+1)-1:0] a_i,        // s0.F, x in the low bits
+  input  wire [3*(UNIT_BITS+1)-1:0] b_i,
   input  wire [SCALE_BITS:0]        scale_a_i,  // u1.RB
   input  wire [SCALE_BITS:0]        scale_b_i,
   output wire [DOT_BITS:0]          dot_o       // u1.DF
 );
-  localparam N       = UNIT_BITS + 2;
-  localparam M       = UNIT_BITS + 1;  // mantissa and sign
-  localparam DOT     = 2 * M + 2;
+  localparam DOT     = 2 * UNIT_BITS + 4;
   localparam D       = DOT_BITS + 2;                                            // u2.DF: the dot product is below 3
   localparam SCALE   = SCALE_BITS > DOT_BITS + 2 ? DOT_BITS + 3 : DOT_BITS + 2; // u3.DF where 4 - 2^-RB rounds to 4
   localparam ROUNDED = D + SCALE - DOT_BITS + 2;                                // with a carry and a sign
@@ -26,11 +24,9 @@ module wrinkle_scaled_dot #(
   wire [2*SCALE_BITS+1:0] product0;
   wire [SCALE-1:0]        scale0;
   reg [SCALE-1:0]         scale1_q;
-  wire unused_signs = &{1'b0, a_i[N-1], a_i[2*N-1], a_i[3*N-1], b_i[N-1], b_i[2*N-1], b_i[3*N-1]};
 
   wrinkle_dot #(.UNIT_BITS(UNIT_BITS - 1)) dot (
-    .clk(clk), .advance_i(advance_i), .a_i({a_i[2*N +: M], a_i[N +: M], a_i[0 +: M]}),
-    .b_i({b_i[2*N +: M], b_i[N +: M], b_i[0 +: M]}), .dot_o(dot1));
+    .clk(clk), .advance_i(advance_i), .a_i(a_i), .b_i(b_i), .dot_o(dot1));
   wrinkle_multiply_unsigned #(.A_BITS(SCALE_BITS + 1), .B_BITS(SCALE_BITS + 1)) multiply_scales (
     .a_i(scale_a_i), .b_i(scale_b_i), .product_o(product0));
   wrinkle_round_half_up #(
