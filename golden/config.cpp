@@ -122,7 +122,9 @@ int light_bits(const Config& c) {
   const int shift = c.dot_bits + 5;
   // 2 (N.L) (N.E) - L.E, each product of two factors up to 2^F.
   const int reflected = c.is(Lighting::kReflection) ? dot + 2 : 0;
-  return std::max({dot, reflected, shift, 2 * c.dot_bits + 2, 2 * c.power_bits + 2});
+  // Dot product below 4 by scales below 4; the product of two scales.
+  const int deferred = c.normalizes_after() ? std::max(2 * c.dot_bits + 6, 2 * c.scale_bits() + 3) : 0;
+  return std::max({dot, reflected, shift, deferred, 2 * c.dot_bits + 2, 2 * c.power_bits + 2});
 }
 
 int output_bits(const Config& c) {
@@ -131,6 +133,8 @@ int output_bits(const Config& c) {
 }
 
 }  // namespace
+
+int Config::scale_bits() const { return rsqrt_geometry(unit_bits).output_bits; }
 
 std::span<const Parameter> parameters() {
   static const std::vector<Parameter> list = {
@@ -221,7 +225,8 @@ int lane_bits(const Config& config) {
     root = std::max(root, compact_rsqrt_geometry(config.unit_bits).output_bits + 1);
   }
   const int intensity = config.power_bits + 1, colour = config.colour_bits + 1;
-  const bool halves_fit = std::max({magnitude, root, intensity, colour}) <= 15;
+  const int deferred = config.normalizes_after() ? config.dot_bits + 2 : 0;
+  const bool halves_fit = std::max({magnitude, root, intensity, colour, deferred}) <= 15;
   return widest_operand_bits(config) <= 32 && halves_fit ? 32 : 64;
 }
 

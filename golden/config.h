@@ -58,6 +58,12 @@ struct Config {
   bool trilinear() const { return filter == static_cast<int>(Filter::kTrilinear); }
   // Dot products of mantissas, scaled by the reciprocal lengths of both vectors.
   bool normalizes_after() const { return normalize_order == static_cast<int>(NormalizeOrder::kAfter); }
+  // Of N, L and H as `normalize` hands them on: unit vectors in s1.F, or mantissas in s0.F.
+  int normalized_width() const { return unit_bits + (normalizes_after() ? 1 : 2); }
+  // RB: fraction bits of a reciprocal length, u1.RB.
+  int scale_bits() const;
+  // Bits of the mantissa of a vector that is normalized after: of magnitudes of V + 1 bits the leading F.
+  int mantissa_bits(int input_bits) const { return input_bits < unit_bits ? input_bits + 1 : unit_bits; }
   int channel_count() const { return channels == 0 ? 1 : 3; }
   int vector_width() const { return vector_bits + 2; }
   int wide_width() const { return wide_bits + 2; }

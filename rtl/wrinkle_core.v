@@ -82,7 +82,8 @@ module wrinkle_core #(
   localparam BUMPED = DATAPATH == 3 ? 1 : BLINN != 0 ? 3 * (WIDE_BITS + 3) : VEC;        // N'
   localparam LVEC   = LIGHT_VECTORS != 0 ? 1 : VEC;
   localparam HVEC   = HALF != 0 ? LVEC : 1;
-  localparam UNIT   = 3 * (UNIT_BITS + 2);
+  localparam UNIT   = 3 * (UNIT_BITS + (NORMALIZE_ORDER != 0 ? 1 : 2));                  // N, L, H normalized
+  localparam SCALES = NORMALIZE_ORDER == 0 ? 1 : (HALF + 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2));
   localparam UV     = TEX != 0 ? UV_INTEGER_BITS + UV_BITS : 1;
   localparam LOD    = TEX == 0 ? 1 : FILTER == 2 ? 6 + LOD_BITS : 6;
   localparam COUNT  = CHANNELS != 0 ? 3 : 1;
@@ -271,19 +272,20 @@ module wrinkle_core #(
   wire              normalize_valid, normalize_ready, normalize_zero;
   wire [UNIT-1:0]   normalize_n, normalize_l;
   wire [(HALF != 0 ? UNIT : 1)-1:0] normalize_h;
+  wire [SCALES-1:0] normalize_scale;
   wire [DECALS-1:0] normalize_decal;
   wire [TAG-1:0]    normalize_tag;
 
   wrinkle_normalize #(
     .DATAPATH(DATAPATH), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N),
-    .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H), .SHARING(SHARING), .DEPTH(DEPTH), .DECAL(DECAL),
-    .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS), .TEXEL_BITS(TEXEL_BITS),
-    .UNIT_BITS(UNIT_BITS), .DEPTH_BITS(DEPTH_BITS)
+    .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H), .NORMALIZE_ORDER(NORMALIZE_ORDER), .SHARING(SHARING),
+    .DEPTH(DEPTH), .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS),
+    .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS), .DEPTH_BITS(DEPTH_BITS)
   ) normalize (
     .clk(clk), .rst(rst), .draw_l_i(draw_l), .draw_h_i(draw_h), .in_valid_i(perturb_valid), .in_ready_o(perturb_ready),
     .n_i(perturb_n), .l_i(perturb_l), .h_i(perturb_h), .decal_i(perturb_decal), .tag_i(perturb_tag),
     .out_valid_o(normalize_valid), .out_ready_i(normalize_ready), .n_o(normalize_n), .l_o(normalize_l),
-    .h_o(normalize_h), .zero_o(normalize_zero), .decal_o(normalize_decal), .tag_o(normalize_tag),
+    .h_o(normalize_h), .scale_o(normalize_scale), .zero_o(normalize_zero), .decal_o(normalize_decal), .tag_o(normalize_tag),
     .busy_o(normalize_busy));
 
   // light
@@ -296,13 +298,15 @@ module wrinkle_core #(
   wire unused_but_observed = &{1'b0, light_nl, light_nh};
 
   wrinkle_light #(
-    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .SHARING(SHARING), .SELF_SHADOW(SELF_SHADOW), .DEPTH(DEPTH),
-    .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .TEXEL_BITS(TEXEL_BITS), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS),
-    .POWER_BITS(POWER_BITS), .SPECULAR_SQUARINGS(SPECULAR_SQUARINGS), .DEPTH_BITS(DEPTH_BITS)
+    .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .NORMALIZE_ORDER(NORMALIZE_ORDER), .SHARING(SHARING),
+    .SELF_SHADOW(SELF_SHADOW), .DEPTH(DEPTH), .DECAL(DECAL), .SCREEN_BITS(SCREEN_BITS), .TEXEL_BITS(TEXEL_BITS),
+    .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS), .POWER_BITS(POWER_BITS), .SPECULAR_SQUARINGS(SPECULAR_SQUARINGS),
+    .DEPTH_BITS(DEPTH_BITS)
   ) light (
     .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .draw_shadow_i(draw_shadow),
     .draw_exponent_zero_i(draw_exponent_zero), .draw_squarings_i(draw_squarings), .in_valid_i(normalize_valid),
-    .in_ready_o(normalize_ready), .n_i(normalize_n), .l_i(normalize_l), .h_i(normalize_h), .zero_i(normalize_zero),
+    .in_ready_o(normalize_ready), .n_i(normalize_n), .l_i(normalize_l), .h_i(normalize_h), .scale_i(normalize_scale),
+    .zero_i(normalize_zero),
     .decal_i(normalize_decal), .tag_i(normalize_tag), .out_valid_o(light_valid), .out_ready_i(light_ready),
     .nl_o(light_nl), .nh_o(light_nh), .diffuse_o(light_diffuse), .specular_o(light_specular), .zero_o(light_zero),
     .decal_o(light_decal), .tag_o(light_tag), .busy_o(light_busy));

@@ -1,14 +1,13 @@
 `default_nettype none
-// N.L and N.H (or R.E, by wrinkle_reflection), its power by successive squaring, self-shadow. In the rotated frame
-// N = (0, 0, 1): its dot products are components of L and H.
+// N.L and N.H (or R.E), its power by successive squaring, self-shadow.
 //   shadow factor g of s = bump ? L.z : N.L:  hard (s > 0);  smooth min(8 s, 1)
 //   diffuse = nl * g, specular = nl > 0 ? power * g : 0;  without shadow diffuse = nl, specular = power
-// Latency 2, with DATAPATH rotated 1, with LIGHTING reflection 4; SPECULAR_SQUARINGS more where there is a highlight,
-// with SELF_SHADOW 1 more. With SHARING on one dot product takes N.H and N.L in turn, and each squarer is used up to
-// three times, by wrinkle_shared_light: a fragment in three clocks.
+// A unit for each product (wrinkle_separate_light), or with SHARING on one dot product for N.H and N.L in turn and
+// squarers that are used up to three times (wrinkle_shared_light, a fragment in three clocks). Latency is theirs.
 module wrinkle_light #(
   parameter DATAPATH           = 1,
   parameter LIGHTING           = 1,
+  parameter NORMALIZE_ORDER    = 0,
   parameter SHARING            = 0,
   parameter SELF_SHADOW        = 1,
   parameter DEPTH              = 1,
@@ -19,7 +18,10 @@ module wrinkle_light #(
   parameter DOT_BITS           = 10,  // DF
   parameter POWER_BITS         = 12,  // PF
   parameter SPECULAR_SQUARINGS = 5,   // K
-  parameter DEPTH_BITS         = 20
+  parameter DEPTH_BITS         = 20,
+  // Of the above: bits of N, of the scales.
+  parameter UNIT   = 3*(UNIT_BITS + (NORMALIZE_ORDER != 0 ? 1 : 2)),
+  parameter SCALES = NORMALIZE_ORDER == 0 ? 1 : (LIGHTING != 0 ? 3 : 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2))
 ) (
   input  wire       clk,
   input  wire       rst,
@@ -29,9 +31,10 @@ module wrinkle_light #(
   input  wire [3:0] draw_squarings_i,
   input  wire       in_valid_i,
   output wire       in_ready_o,
-  input  wire [3*(UNIT_BITS+2)-1:0]                           n_i,         // s1.F
-  input  wire [3*(UNIT_BITS+2)-1:0]                           l_i,
-  input  wire [(LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0]     h_i,
+  input  wire [UNIT-1:0]                                      n_i,         // s1.F, a mantissa s0.F
+  input  wire [UNIT-1:0]                                      l_i,
+  input  wire [(LIGHTING != 0 ? UNIT : 1)-1:0]                h_i,
+  input  wire [SCALES-1:0]                                    scale_i,     // u1.RB each, of N in the low bits
   input  wire                                                 zero_i,
   input  wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]           decal_i,
   input  wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_i,
@@ -48,45 +51,19 @@ module wrinkle_light #(
 );
   localparam TAG     = 2 * SCREEN_BITS + 1 + (DEPTH != 0 ? DEPTH_BITS : 0);
   localparam DECAL_W = DECAL != 0 ? 3 * TEXEL_BITS : 1;
-  localparam N       = UNIT_BITS + 2;
-  localparam K       = LIGHTING != 0 ? SPECULAR_SQUARINGS : 0;
-  localparam SHADOW  = SELF_SHADOW != 0 ? 1 : 0;
-  localparam DOT     = DATAPATH == 3 ? 1 : 2;         // latency of a dot product
-  localparam DOTS    = LIGHTING == 2 ? 4 : DOT;       // ... of what goes to the power
-  localparam RANKS   = DOTS + K + SHADOW;
+  localparam CARRIED = TAG + 1 + (DECAL != 0 ? DECAL_W : 0);
 
-  localparam SEPARATE = SHARING == 0 ? 1 : 0;         // two dot products, K squarers
-
-  wire              advance;
-  wire [DOT_BITS:0] nl_early, nl;  // after the dot product and after the power
-  wire [DOT_BITS:0] factor;        // of the shadow, for the last rank
+  wire [TAG+DECAL_W:0] carried = {decal_i, zero_i, tag_i};
+  wire [TAG+DECAL_W:0] carried_on;
+  wire unused_pins = &{1'b0, carried, scale_i};
+  assign {decal_o, zero_o, tag_o} = carried_on;
 
   generate
-    if (SEPARATE != 0) begin : separate
-      wrinkle_pipe #(.RANKS(RANKS)) pipe (
-        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
-        .out_ready_i(out_ready_i), .busy_o(busy_o));
-      assign in_ready_o = advance;
-      wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOTS - DOT + K)) delay_nl (
-        .clk(clk), .advance_i(advance), .data_i(nl_early), .data_o(nl));
-      wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(SHADOW)) delay_nl_out (
-        .clk(clk), .advance_i(advance), .data_i(nl), .data_o(nl_o));
-      wrinkle_delay #(.WIDTH(1), .RANKS(RANKS)) delay_zero (
-        .clk(clk), .advance_i(advance), .data_i(zero_i), .data_o(zero_o));
-      wrinkle_delay #(.WIDTH(DECAL_W), .RANKS(DECAL != 0 ? RANKS : 0)) delay_decal (
-        .clk(clk), .advance_i(advance), .data_i(decal_i), .data_o(decal_o));
-      wrinkle_delay #(.WIDTH(TAG), .RANKS(RANKS)) delay_tag (
-        .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
-    end else begin : shared
-      localparam CARRIED = TAG + 1 + (DECAL != 0 ? DECAL_W : 0);
-      wire [TAG+DECAL_W:0] carried = {decal_i, zero_i, tag_i};
-      wire [TAG+DECAL_W:0] carried_on;
-      assign {decal_o, zero_o, tag_o} = carried_on;
-      assign {advance, nl_early, nl, factor} = {(3*DOT_BITS + 4){1'b0}};
-      wire unused_bits = &{1'b0, carried, advance, nl_early, nl, factor};
-      if (DECAL == 0) begin : no_decal
-        assign carried_on[TAG+1] = 1'b0;
-      end
+    if (DECAL == 0) begin : no_decal
+      assign carried_on[TAG+1] = 1'b0;
+    end
+
+    if (SHARING != 0) begin : shared
       wrinkle_shared_light #(
         .DATAPATH(DATAPATH), .SELF_SHADOW(SELF_SHADOW), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS),
         .POWER_BITS(POWER_BITS), .SPECULAR_SQUARINGS(SPECULAR_SQUARINGS), .TAG_BITS(CARRIED)
@@ -96,86 +73,17 @@ module wrinkle_light #(
         .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i), .tag_i(carried[CARRIED-1:0]),
         .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .nl_o(nl_o), .nh_o(nh_o), .diffuse_o(diffuse_o),
         .specular_o(specular_o), .tag_o(carried_on[CARRIED-1:0]), .busy_o(busy_o));
-    end
-
-    if (SEPARATE != 0 && DATAPATH == 3) begin : rotated
-      wire [DOT_BITS:0] lz;
-      wire unused_pins = &{1'b0, n_i, l_i[2*N-1:0]};
-      wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
-        .value_i(l_i[2*N +: N]), .clamped_o(lz));
-      wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nl (
-        .clk(clk), .advance_i(advance), .data_i(lz), .data_o(nl_early));
-    end else if (SEPARATE != 0) begin : general
-      wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
-        .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .dot_o(nl_early));
-    end
-
-    if (SEPARATE != 0 && SHADOW != 0) begin : shadowed
-      wire [DOT_BITS:0] source;
-      if (DATAPATH == 1) begin : from_l
-        wire [DOT_BITS:0] lz, lz_late;
-        wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
-          .value_i(l_i[2*N +: N]), .clamped_o(lz));
-        wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOTS + K)) delay_lz (
-          .clk(clk), .advance_i(advance), .data_i(lz), .data_o(lz_late));
-        assign source = draw_bump_i ? lz_late : nl;
-      end else begin : from_nl
-        wire unused_bump = draw_bump_i;
-        assign source = nl;
-      end
-      wrinkle_shadow_factor #(.SELF_SHADOW(SELF_SHADOW), .DOT_BITS(DOT_BITS)) shadow (
-        .source_i(source), .off_i(~draw_shadow_i), .factor_o(factor));
-
-      wire [DOT_BITS:0] diffuse;
-      reg [DOT_BITS:0]  diffuse_q;
-      wrinkle_scale #(.BITS(DOT_BITS + 1), .FRACTION_BITS(DOT_BITS)) scale (
-        .a_i(nl), .b_i(factor), .result_o(diffuse));
-      assign diffuse_o = diffuse_q;
-      always @(posedge clk) if (advance) diffuse_q <= diffuse;
-    end else if (SEPARATE != 0) begin : unshadowed
-      wire unused_pins = &{1'b0, draw_bump_i, draw_shadow_i};
-      assign factor    = {1'b1, {DOT_BITS{1'b0}}};
-      assign diffuse_o = nl;
-    end
-
-    if (SEPARATE != 0 && LIGHTING != 0) begin : glossy
-      wire [DOT_BITS:0]   nh;
-      wire [POWER_BITS:0] power;
-      if (LIGHTING == 2) begin : reflected
-        wrinkle_reflection #(.DATAPATH(DATAPATH), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) reflection (
-          .clk(clk), .advance_i(advance), .n_i(n_i), .l_i(l_i), .e_i(h_i), .re_o(nh));
-      end else if (DATAPATH == 3) begin : rotated_h
-        wire [DOT_BITS:0] hz;
-        wire unused_h = &{1'b0, h_i[2*N-1:0]};
-        wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
-          .value_i(h_i[2*N +: N]), .clamped_o(hz));
-        wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nh (
-          .clk(clk), .advance_i(advance), .data_i(hz), .data_o(nh));
-      end else begin : general_h
-        wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nh (
-          .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .dot_o(nh));
-      end
-      wrinkle_power #(.POWER_BITS(POWER_BITS), .SQUARINGS(K)) powers (
-        .clk(clk), .advance_i(advance), .squarings_i(draw_squarings_i), .exponent_zero_i(draw_exponent_zero_i),
-        .x_i({nh, {(POWER_BITS - DOT_BITS){1'b0}}}), .power_o(power));
-      wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(K + SHADOW)) delay_nh (
-        .clk(clk), .advance_i(advance), .data_i(nh), .data_o(nh_o));
-      if (SHADOW != 0) begin : shadowed_specular
-        wire [POWER_BITS:0] scaled;
-        reg [POWER_BITS:0]  specular_q;
-        wrinkle_scale #(.BITS(POWER_BITS + 1), .FRACTION_BITS(DOT_BITS)) scale (
-          .a_i(power), .b_i(factor), .result_o(scaled));
-        assign specular_o = specular_q;
-        always @(posedge clk)
-          if (advance) specular_q <= ~draw_shadow_i ? power : |nl ? scaled : {(POWER_BITS + 1){1'b0}};
-      end else begin : plain_specular
-        wire unused_factor = &{1'b0, factor};
-        assign specular_o = power;
-      end
-    end else if (SEPARATE != 0) begin : diffuse_only
-      wire unused_pins = &{1'b0, h_i, draw_exponent_zero_i, draw_squarings_i, factor};
-      assign nh_o       = 1'b0;
-      assign specular_o = 1'b0;
+    end else begin : separate
+      wrinkle_separate_light #(
+        .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .NORMALIZE_ORDER(NORMALIZE_ORDER), .SELF_SHADOW(SELF_SHADOW),
+        .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS), .POWER_BITS(POWER_BITS), .SPECULAR_SQUARINGS(SPECULAR_SQUARINGS),
+        .TAG_BITS(CARRIED)
+      ) light (
+        .clk(clk), .rst(rst), .draw_bump_i(draw_bump_i), .draw_shadow_i(draw_shadow_i),
+        .draw_exponent_zero_i(draw_exponent_zero_i), .draw_squarings_i(draw_squarings_i), .in_valid_i(in_valid_i),
+        .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i), .scale_i(scale_i), .tag_i(carried[CARRIED-1:0]),
+        .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .nl_o(nl_o), .nh_o(nh_o), .diffuse_o(diffuse_o),
+        .specular_o(specular_o), .tag_o(carried_on[CARRIED-1:0]), .busy_o(busy_o));
     end
   endgenerate
 endmodule

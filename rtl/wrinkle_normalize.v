@@ -1,9 +1,8 @@
 `default_nettype none
-// N, L and H to unit length, each by its own unit; `zero` tells that one of them had no length. Constant light vectors
-// come from the draw state, and in the rotated frame N = (0, 0, 1): neither has a unit. With LIGHTING pixel_halfangle
-// H is made here, from the unit vectors L and E, and has a unit of its own behind theirs.
-// Latency 5, or 1 when no vector has a normalizer; pixel_halfangle adds 6. With SHARING on one unit takes N, L and H in
-// turn, by wrinkle_shared_units: a fragment in three clocks.
+// N, L and H to unit length; `zero` tells that one of them had no length. Of three ways one is there: each vector has its
+// own unit (wrinkle_separate_units), with SHARING on all take turns in one (wrinkle_shared_units, a fragment in three
+// clocks), with NORMALIZE_ORDER after `light` does the scaling, and n, l, h are mantissas, each with its scale
+// (wrinkle_deferred_units). Latency is theirs.
 module wrinkle_normalize #(
   parameter DATAPATH     = 1,
   parameter LIGHT_VECTORS = 0,
@@ -11,6 +10,7 @@ module wrinkle_normalize #(
   parameter NORMALIZER_N = 1,
   parameter NORMALIZER_L = 1,
   parameter NORMALIZER_H = 1,
+  parameter NORMALIZE_ORDER = 0,
   parameter SHARING      = 0,
   parameter DEPTH        = 1,
   parameter DECAL        = 0,
@@ -20,10 +20,12 @@ module wrinkle_normalize #(
   parameter TEXEL_BITS   = 8,
   parameter UNIT_BITS    = 9,
   parameter DEPTH_BITS   = 20,
-  // Of the above: bits of N', of L, of H or E.
+  // Of the above: bits of N', of L, of H or E, of a vector that is handed on, of the scales.
   parameter BUMPED = DATAPATH == 3 ? 1 : DATAPATH == 2 ? 3*(WIDE_BITS+3) : 3*(VECTOR_BITS+2),
   parameter LVEC   = LIGHT_VECTORS != 0 ? 1 : 3*(VECTOR_BITS+2),
-  parameter HVEC   = LIGHTING != 0 ? LVEC : 1
+  parameter HVEC   = LIGHTING != 0 ? LVEC : 1,
+  parameter UNIT   = 3*(UNIT_BITS + (NORMALIZE_ORDER != 0 ? 1 : 2)),
+  parameter SCALES = NORMALIZE_ORDER == 0 ? 1 : (LIGHTING != 0 ? 3 : 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2))
 ) (
   input  wire clk,
   input  wire rst,
@@ -38,110 +40,57 @@ module wrinkle_normalize #(
   input  wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_i,
   output wire out_valid_o,
   input  wire out_ready_i,
-  output wire [3*(UNIT_BITS+2)-1:0]                           n_o,     // s1.F
-  output wire [3*(UNIT_BITS+2)-1:0]                           l_o,
-  output wire [(LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0]     h_o,
+  output wire [UNIT-1:0]                                      n_o,     // s1.F, a mantissa s0.F
+  output wire [UNIT-1:0]                                      l_o,
+  output wire [(LIGHTING != 0 ? UNIT : 1)-1:0]                h_o,
+  output wire [SCALES-1:0]                                    scale_o, // u1.RB each, of N in the low bits
   output wire                                                 zero_o,
   output wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]           decal_o,
   output wire [2*SCREEN_BITS+(DEPTH != 0 ? DEPTH_BITS : 0):0] tag_o,
   output wire busy_o
 );
-  localparam TAG       = 2 * SCREEN_BITS + 1 + (DEPTH != 0 ? DEPTH_BITS : 0);
-  localparam DECAL_W   = DECAL != 0 ? 3 * TEXEL_BITS : 1;
-  localparam UNIT      = 3 * (UNIT_BITS + 2);
-  localparam HAS_N     = DATAPATH != 3 ? 1 : 0;
-  localparam HAS_LIGHT = LIGHT_VECTORS == 0 ? 1 : 0;
-  localparam HAS_H     = LIGHTING != 0 ? HAS_LIGHT : 0;
-  localparam LATE_H    = LIGHTING == 3 ? 1 : 0;                         // H is made of L and E
-  localparam KIND_H    = LATE_H != 0 ? NORMALIZER_L : NORMALIZER_H;     // of what h_i brings
-  localparam FIRST     = (HAS_N != 0 && NORMALIZER_N != 0) || (HAS_LIGHT != 0 && NORMALIZER_L != 0) ||
-                         (HAS_H != 0 && KIND_H != 0) ? 5 : 1;
-  localparam SECOND    = LATE_H != 0 ? 6 : 0;                           // the sum, and its normalizer
-  localparam RANKS     = FIRST + SECOND;
-  localparam SEPARATE  = SHARING == 0 ? 1 : 0;                          // a unit each
+  localparam TAG     = 2 * SCREEN_BITS + 1 + (DEPTH != 0 ? DEPTH_BITS : 0);
+  localparam DECAL_W = DECAL != 0 ? 3 * TEXEL_BITS : 1;
+  localparam CARRIED = TAG + (DECAL != 0 ? DECAL_W : 0);
 
-  wire advance, zero_n, zero_l, zero_h;
-  wire [UNIT-1:0] l;  // after the first normalizers
+  wire [TAG+DECAL_W-1:0] carried = {decal_i, tag_i};
+  wire [TAG+DECAL_W-1:0] carried_on;
+  wire unused_pins = &{1'b0, carried, draw_l_i, draw_h_i};
+  assign {decal_o, tag_o} = carried_on;
 
   generate
-    if (SEPARATE != 0) begin : separate
-      wrinkle_pipe #(.RANKS(RANKS)) pipe (
-        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
-        .out_ready_i(out_ready_i), .busy_o(busy_o));
-      assign in_ready_o = advance;
-      wrinkle_delay #(.WIDTH(1), .RANKS(SECOND)) delay_zero (
-        .clk(clk), .advance_i(advance), .data_i(zero_n | zero_l | zero_h), .data_o(zero_o));
-      wrinkle_delay #(.WIDTH(DECAL_W), .RANKS(DECAL != 0 ? RANKS : 0)) delay_decal (
-        .clk(clk), .advance_i(advance), .data_i(decal_i), .data_o(decal_o));
-      wrinkle_delay #(.WIDTH(TAG), .RANKS(RANKS)) delay_tag (
-        .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
-    end else begin : shared
-      localparam CARRIED = TAG + (DECAL != 0 ? DECAL_W : 0);
-      wire [TAG+DECAL_W-1:0] carried = {decal_i, tag_i};
-      wire [TAG+DECAL_W-1:0] carried_on;
-      wire unused_pins = &{1'b0, draw_l_i, draw_h_i, carried};
-      assign {decal_o, tag_o} = carried_on;
-      assign {advance, zero_n, zero_l, zero_h, l} = {(UNIT + 4){1'b0}};
-      wire unused_separate = &{1'b0, advance, zero_n, zero_l, zero_h, l};
-      if (DECAL == 0) begin : no_decal
-        assign carried_on[TAG] = 1'b0;
-      end
+    if (DECAL == 0) begin : no_decal
+      assign carried_on[TAG] = 1'b0;
+    end
+    if (NORMALIZE_ORDER == 0) begin : before
+      assign scale_o = 1'b0;
+    end
+
+    if (SHARING != 0) begin : shared
       wrinkle_shared_units #(
         .NORMALIZER(NORMALIZER_N), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .TAG_BITS(CARRIED)
       ) units (
         .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i),
         .tag_i(carried[CARRIED-1:0]), .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .n_o(n_o), .l_o(l_o),
         .h_o(h_o), .zero_o(zero_o), .tag_o(carried_on[CARRIED-1:0]), .busy_o(busy_o));
-    end
-
-    if (SEPARATE != 0 && HAS_N != 0) begin : with_n
-      wire [UNIT-1:0] n;
-      wrinkle_unit_vector #(
-        .NORMALIZER(NORMALIZER_N), .VECTOR_BITS(DATAPATH == 2 ? WIDE_BITS + 1 : VECTOR_BITS), .UNIT_BITS(UNIT_BITS),
-        .RANKS(FIRST)
-      ) unit_n (.clk(clk), .advance_i(advance), .vector_i(n_i), .unit_o(n), .zero_o(zero_n));
-      wrinkle_delay #(.WIDTH(UNIT), .RANKS(SECOND)) delay_n (
-        .clk(clk), .advance_i(advance), .data_i(n), .data_o(n_o));
-    end else if (SEPARATE != 0) begin : without_n
-      wire unused_pins = n_i;
-      assign n_o    = {2'b01, {(UNIT - 2){1'b0}}};
-      assign zero_n = 1'b0;
-    end
-
-    if (SEPARATE != 0 && HAS_LIGHT != 0) begin : with_l
-      wire unused_draw = &{1'b0, draw_l_i, draw_h_i};
-      wrinkle_unit_vector #(
-        .NORMALIZER(NORMALIZER_L), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .RANKS(FIRST)
-      ) unit_l (.clk(clk), .advance_i(advance), .vector_i(l_i), .unit_o(l), .zero_o(zero_l));
-      wrinkle_delay #(.WIDTH(UNIT), .RANKS(SECOND)) delay_l (
-        .clk(clk), .advance_i(advance), .data_i(l), .data_o(l_o));
-    end else if (SEPARATE != 0) begin : constant_l
-      wire unused_pins = &{1'b0, l_i, h_i};
-      assign l      = draw_l_i;
-      assign l_o    = l;
-      assign zero_l = 1'b0;
-    end
-
-    if (SEPARATE != 0 && LIGHTING != 0) begin : glossy
-      wire [UNIT-1:0] h;
-      if (HAS_H != 0) begin : with_h
-        wrinkle_unit_vector #(
-          .NORMALIZER(KIND_H), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .RANKS(FIRST)
-        ) unit_h (.clk(clk), .advance_i(advance), .vector_i(h_i), .unit_o(h), .zero_o(zero_h));
-      end else begin : constant_h
-        assign h      = draw_h_i;
-        assign zero_h = 1'b0;
-      end
-      if (LATE_H != 0) begin : late
-        wrinkle_halfangle #(.NORMALIZER(NORMALIZER_H), .UNIT_BITS(UNIT_BITS)) halfangle (
-          .clk(clk), .advance_i(advance), .l_i(l), .e_i(h), .h_o(h_o));
-      end else begin : at_once
-        assign h_o = h;
-      end
-    end else if (SEPARATE != 0) begin : diffuse
-      wire unused_h = &{1'b0, h_i, draw_h_i};
-      assign h_o    = 1'b0;
-      assign zero_h = 1'b0;
+    end else if (NORMALIZE_ORDER != 0) begin : deferred
+      wrinkle_deferred_units #(
+        .DATAPATH(DATAPATH), .LIGHTING(LIGHTING), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS),
+        .UNIT_BITS(UNIT_BITS), .TAG_BITS(CARRIED)
+      ) units (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i),
+        .tag_i(carried[CARRIED-1:0]), .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .n_o(n_o), .l_o(l_o),
+        .h_o(h_o), .scale_o(scale_o), .zero_o(zero_o), .tag_o(carried_on[CARRIED-1:0]), .busy_o(busy_o));
+    end else begin : separate
+      wrinkle_separate_units #(
+        .DATAPATH(DATAPATH), .LIGHT_VECTORS(LIGHT_VECTORS), .LIGHTING(LIGHTING), .NORMALIZER_N(NORMALIZER_N),
+        .NORMALIZER_L(NORMALIZER_L), .NORMALIZER_H(NORMALIZER_H), .VECTOR_BITS(VECTOR_BITS), .WIDE_BITS(WIDE_BITS),
+        .UNIT_BITS(UNIT_BITS), .TAG_BITS(CARRIED)
+      ) units (
+        .clk(clk), .rst(rst), .draw_l_i(draw_l_i), .draw_h_i(draw_h_i), .in_valid_i(in_valid_i),
+        .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i), .tag_i(carried[CARRIED-1:0]),
+        .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .n_o(n_o), .l_o(l_o), .h_o(h_o), .zero_o(zero_o),
+        .tag_o(carried_on[CARRIED-1:0]), .busy_o(busy_o));
     end
   endgenerate
 endmodule

@@ -59,6 +59,17 @@ std::string_view stage_of(const Config& config, const Aov& aov) {
   return aov.stage;
 }
 
+// Vectors that are normalized after the dot products are mantissas, and of unit length by their scales.
+void multiply_by_scale(const std::vector<Value>& all, AovChannel& channel) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].stage != "normalize" || all[i].name != "scale") continue;
+    const std::string_view vector = all[std::size_t(channel.value)].name;
+    channel.factor = int(i);
+    channel.factor_element = vector == "n" ? 0 : vector == "l" ? 1 : 2;
+    channel.scale = std::ldexp(channel.scale, -all[i].fraction_bits);
+  }
+}
+
 void append(const Config& config, const Aov& aov, std::vector<AovChannel>& channels) {
   if (aov.stage.empty()) {
     channels.push_back({.name = std::string(aov.name)});
@@ -75,6 +86,7 @@ void append(const Config& config, const Aov& aov, std::vector<AovChannel>& chann
       const std::string suffix = aov.exact.size() == 1 ? "" : fmt::format(".{}", "xyz"[e]);
       channels.push_back(
           {std::string(aov.name) + suffix, int(i), e, std::ldexp(1.0, -value.fraction_bits), aov.exact[e]});
+      if (config.normalizes_after() && value.stage == "normalize") multiply_by_scale(all, channels.back());
     }
   }
 }

@@ -17,6 +17,8 @@ struct AovChannel {
   std::size_t element = 0;
   double scale = 1;                                 // turns the integer into a real number
   double (*exact)(const ExactFragment&) = nullptr;  // the same number of a float64 engine
+  int factor = -1;                                  // index of the value that multiplies it; -1 for none
+  std::size_t factor_element = 0;
 };
 
 // Names that aov_channels() accepts, with what they are.

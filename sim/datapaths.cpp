@@ -6,6 +6,7 @@ std::vector<DatapathFrame> datapath_frames() {
   return {
       {0, {"phong", "patch_fig1", "phong", {}}},
       {0, {"tangent", "patch_fig6", "standard", {}}},
+      {0, {"after", "patch_fig6", "standard", {"normalize_order=after", "self_shadow=off"}}},
       {0, {"no_normalizer", "patch_fig6", "standard", {"normalizer_l=none", "normalizer_h=none"}}},
       {0, {"compact", "patch_fig6", "compact", {}}},
       {0, {"lite", "patch_fig6", "standard", {"normalizer_n=lite", "normalizer_l=lite", "normalizer_h=lite"}}},

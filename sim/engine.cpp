@@ -35,11 +35,15 @@ EngineRun draw_float(Engine engine, const Config& config, const Frame& frame, co
   return run;
 }
 
+double number(const AovChannel& aov, const FragmentValues& values, std::uint32_t triangle) {
+  if (aov.value < 0) return triangle + 1.0;
+  const double value = aov.scale * double(values[std::size_t(aov.value)][aov.element]);
+  return aov.factor < 0 ? value : value * double(values[std::size_t(aov.factor)][aov.factor_element]);
+}
+
 void fill(const std::vector<AovChannel>& aovs, const FragmentValues& values, std::uint32_t triangle,
           std::vector<double>& numbers) {
-  for (std::size_t i = 0; i < aovs.size(); ++i)
-    numbers[i] = aovs[i].value < 0 ? triangle + 1.0
-                                   : aovs[i].scale * double(values[std::size_t(aovs[i].value)][aovs[i].element]);
+  for (std::size_t i = 0; i < aovs.size(); ++i) numbers[i] = number(aovs[i], values, triangle);
 }
 
 EngineRun draw_golden(Lanes lanes, const Config& config, const Frame& frame, const std::vector<AovChannel>& aovs,

@@ -28,6 +28,18 @@ HWY_INLINE typename L::V clamped(const L& l, const Config& c, typename L::V cosi
   return l.min(positive, l.set(1 << c.dot_bits));
 }
 
+// The cosine of two vectors that are not of unit length: their mantissas' dot product by the product of their scales.
+template <class L, class Batch>
+HWY_INLINE typename L::V scaled_cosine(const L& l, const Config& c, const Batch& batch, bool is_h, std::size_t i) {
+  const auto dot = dot_product(l, batch.normalize_n, is_h ? batch.normalize_h : batch.normalize_l, i);
+  const int bits = c.dot_bits;
+  const auto d = round_half_up(l, l.max(dot, l.set(0)), 2 * c.unit_bits - bits);
+  const auto product =
+      l.mul_half(l.load(&batch.normalize_scale[0][i]), l.load(&batch.normalize_scale[is_h ? 2 : 1][i]));
+  const auto scale = round_half_up(l, product, 2 * c.scale_bits() - bits);
+  return l.min(round_half_up(l, l.mul_half(d, scale), bits), l.set(1 << bits));
+}
+
 // R.E of the reflection R = 2 (N.L) N - L of the light; 0 where the light is below the surface.
 template <class L, class Batch>
 HWY_INLINE typename L::V reflected(const L& l, const Config& c, const Batch& batch, std::size_t i) {
@@ -65,16 +77,19 @@ void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
   const bool shadow = c.draw.shadow && c.config.self_shadow != static_cast<int>(SelfShadow::kOff);
   const bool reflection = c.config.is(Lighting::kReflection);
+  const bool after = c.config.normalizes_after();
   const int df = c.config.dot_bits;
   for (int first = 0; first < batch.count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
-    const auto nl = clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_l, i));
+    const auto nl = after ? scaled_cosine(l, c.config, batch, false, i)
+                          : clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_l, i));
     const auto factor = shadow ? shadow_factor(l, c, l.load(&batch.normalize_l[2][i]), nl) : l.set(1 << df);
     l.store(nl, &batch.light_nl[0][i]);
     l.store(shadow ? round_half_up(l, l.mul_half(nl, factor), df) : nl, &batch.light_diffuse[0][i]);
     if (!c.config.has_specular()) continue;
-    const auto nh = reflection ? reflected(l, c.config, batch, i)
-                               : clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_h, i));
+    const auto nh = after        ? scaled_cosine(l, c.config, batch, true, i)
+                    : reflection ? reflected(l, c.config, batch, i)
+                                 : clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_h, i));
     const auto p = power(l, c, nh);
     l.store(nh, &batch.light_nh[0][i]);
     if (!shadow) {

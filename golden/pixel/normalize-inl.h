@@ -59,6 +59,37 @@ HWY_INLINE Triple<L> normalize_faithful(const L& l, const Constants<typename L::
   return {scale(m.x, v.x), scale(m.y, v.y), scale(m.z, v.z)};
 }
 
+// A vector as s * m: mantissas of F fraction bits, the greatest in [1/2, 1), and the reciprocal of their length.
+template <class L>
+struct Deferred {
+  Triple<L> m;
+  typename L::V s;  // u1.RB
+};
+
+template <bool kIsSmall, class L>
+HWY_INLINE Deferred<L> mantissa_and_scale(const L& l, const Constants<typename L::Int>& c, const Triple<L>& v) {
+  const RsqrtGeometry& g = c.rsqrt;
+  const int p = c.config.vector_bits + 1, bits = c.config.mantissa_bits(c.config.vector_bits);
+  const auto limit = l.set((1 << p) - 1), one = l.set(1), zero = l.set(0);
+  const auto magnitude = [&](typename L::V a) HWY_ATTR { return l.min(l.abs(a), limit); };
+  const Triple<L> whole{magnitude(v.x), magnitude(v.y), magnitude(v.z)};
+  const auto any = l.or_(l.or_(whole.x, whole.y), whole.z);
+  const auto shift = l.sub(l.set(p - 1), l.floor_log2(l.max(any, one)));
+  const auto leading = [&](typename L::V a) HWY_ATTR { return l.sar(l.shl_each(a, shift), p - bits); };
+  const Triple<L> m{leading(whole.x), leading(whole.y), leading(whole.z)};
+  const auto sum = l.add(l.add(l.mul_half(m.x, m.x), l.mul_half(m.y, m.y)), l.mul_half(m.z, m.z));
+  const auto e = l.select(l.less(sum, l.shl(one, 2 * bits)), zero, one);
+  const int dropped = 2 * bits + 2 - g.input_bits;
+  const int padded = std::max(-dropped, 0);
+  const auto aligned = l.shl_each(sum, l.sub(l.set(2 + padded), l.add(e, e)));
+  const auto s = l.sar_each(rsqrt<kIsSmall>(l, c, l.sar(aligned, std::max(dropped, 0))), e);
+  const auto with_sign = [&](typename L::V a, typename L::V sign_of) HWY_ATTR {
+    const auto n = l.shl(a, c.config.unit_bits - bits);
+    return l.select(l.less(sign_of, zero), l.sub(zero, n), n);
+  };
+  return {{with_sign(m.x, v.x), with_sign(m.y, v.y), with_sign(m.z, v.z)}, s};
+}
+
 template <class L>
 HWY_INLINE Triple<L> normalize_none(const L& l, const Constants<typename L::Int>& c, const Triple<L>& v) {
   const int shift = c.config.vector_bits - c.config.unit_bits;
@@ -68,20 +99,25 @@ HWY_INLINE Triple<L> normalize_none(const L& l, const Constants<typename L::Int>
   return {scale(v.x), scale(v.y), scale(v.z)};
 }
 
-// One unit over the batch. `zero` collects the fragments whose vector has no direction.
+// The vectors of the lanes from fragment i on. `zero` collects the fragments whose vector has no direction.
+template <class L, class Columns, class Normalize>
+HWY_INLINE void normalize_at(const L& l, const Columns& in, Columns& out, typename Columns::value_type& zero,
+                             std::size_t i, const Normalize& to_unit) {
+  const Triple<L> v{l.load(&in[0][i]), l.load(&in[1][i]), l.load(&in[2][i])};
+  const Triple<L> n = to_unit(v);
+  l.store(n.x, &out[0][i]);
+  l.store(n.y, &out[1][i]);
+  l.store(n.z, &out[2][i]);
+  const auto none = l.equal(l.or_(l.or_(v.x, v.y), v.z), l.set(0));
+  l.store(l.select(none, l.set(1), l.load(&zero[i])), &zero[i]);
+}
+
+// One unit over the batch.
 template <class L, class Columns, class Normalize>
 HWY_INLINE void normalize_columns(const L& l, const Columns& in, Columns& out, typename Columns::value_type& zero,
                                   int count, const Normalize& to_unit) {
-  for (int first = 0; first < count; first += l.size()) {
-    const auto i = static_cast<std::size_t>(first);
-    const Triple<L> v{l.load(&in[0][i]), l.load(&in[1][i]), l.load(&in[2][i])};
-    const Triple<L> n = to_unit(v);
-    l.store(n.x, &out[0][i]);
-    l.store(n.y, &out[1][i]);
-    l.store(n.z, &out[2][i]);
-    const auto none = l.equal(l.or_(l.or_(v.x, v.y), v.z), l.set(0));
-    l.store(l.select(none, l.set(1), l.load(&zero[i])), &zero[i]);
-  }
+  for (int first = 0; first < count; first += l.size())
+    normalize_at(l, in, out, zero, static_cast<std::size_t>(first), to_unit);
 }
 
 template <Normalizer kKind, class L, class Columns>
@@ -124,6 +160,24 @@ void normalize_unit(const L& l, const Context& context, int normalizer, int inpu
   }
 }
 
+// The same of a vector that is normalized after the dot products.
+template <class L, class Columns>
+void defer_unit(const L& l, const Context& context, int input_bits, const Columns& in, Columns& out,
+                typename Columns::value_type& scale, typename Columns::value_type& zero, int count) {
+  auto c = context.constants<typename L::Int>();
+  c.config.vector_bits = input_bits;
+  const bool is_small = (std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable;
+  for (int first = 0; first < count; first += l.size()) {
+    const auto i = static_cast<std::size_t>(first);
+    const auto to_scale = [&](const Triple<L>& v) HWY_ATTR {
+      const Deferred<L> d = is_small ? mantissa_and_scale<true>(l, c, v) : mantissa_and_scale<false>(l, c, v);
+      l.store(d.s, &scale[i]);
+      return d.m;
+    };
+    normalize_at(l, in, out, zero, i, to_scale);
+  }
+}
+
 template <class L, class Columns>
 void fill_constant(const L& l, const std::array<int, 3>& v, Columns& out, int count) {
   for (std::size_t k = 0; k < 3; ++k)
@@ -145,11 +199,24 @@ void normalize_halfangle(const L& l, const Context& c, Batch<typename L::Int>& b
 }
 
 template <class L>
+void defer(const L& l, const Context& c, Batch<typename L::Int>& batch) {
+  const Config& config = c.config;
+  auto& zero = batch.normalize_zero[0];
+  auto& scale = batch.normalize_scale;
+  const int count = batch.count;
+  defer_unit(l, c, config.normal_unit_input_bits(), batch.perturb_n, batch.normalize_n, scale[0], zero, count);
+  defer_unit(l, c, config.vector_bits, batch.interpolate_l, batch.normalize_l, scale[1], zero, count);
+  if (!config.has_specular()) return;
+  defer_unit(l, c, config.vector_bits, batch.interpolate_h, batch.normalize_h, scale[2], zero, count);
+}
+
+template <class L>
 void normalize(const L& l, const Context& c, Batch<typename L::Int>& batch) {
   const Config& config = c.config;
   const int count = batch.count;
   auto& zero = batch.normalize_zero[0];
   std::fill_n(zero.begin(), count, 0);
+  if (config.normalizes_after()) return defer(l, c, batch);
   if (config.has_normal())
     normalize_unit(l, c, config.normalizer_n, config.normal_unit_input_bits(), batch.perturb_n, batch.normalize_n, zero,
                    count);

@@ -2,21 +2,22 @@
 // The front half of a normalizer: mantissas and reciprocal length of a vector. Sign and magnitude: all three magnitudes
 // are shifted by the leading zeros of their OR and cut to their MANTISSA_BITS leading bits, m; S is the exact sum of
 // squares of these, r = 1/sqrt of its leading bits, brought to [1/4, 1); then m_i * r, halved where `halve`, is a
-// component of the unit vector. The one value -2^(V+1) has no magnitude in V + 1 bits and saturates. Of zero, m is zero
-// and r that of t = 1/4. Latency 4; with PIPELINED 2
-// two, after the sum of squares and after the root; with PIPELINED 0 none. [docs/architecture.md, golden/pixel/rsqrt.h]
+// component of the unit vector. With COMPLEMENT 1 the sign is put back into m. The one value -2^(V+1) has no magnitude
+// in V + 1 bits and saturates. Of zero, m is zero and r that of t = 1/4. Latency 4; with PIPELINED 2 two, after the sum
+// of squares and after the root; with PIPELINED 0 none. [docs/architecture.md, golden/pixel/rsqrt.h]
 module wrinkle_reciprocal_length #(
   parameter VECTOR_BITS   = 9,   // V
   parameter UNIT_BITS     = 9,   // F
   parameter MANTISSA_BITS = 10,  // at most V + 1
+  parameter COMPLEMENT    = 0,
   parameter PIPELINED     = 1,
   parameter OUTPUT_BITS   = UNIT_BITS == 15 ? 17 : UNIT_BITS + 1  // RB, of the above
 ) (
   input  wire                         clk,
   input  wire                         advance_i,
   input  wire [3*(VECTOR_BITS+2)-1:0] vector_i,    // s1.V each, x in the low bits
-  output wire [3*MANTISSA_BITS-1:0]   m_o,         // the greatest has its leading bit set
-  output wire [2:0]                   negative_o,
+  output wire [3*MANTISSA_BITS-1:0]   m_o,         // magnitudes, the greatest with its leading bit set
+  output wire [2:0]                   negative_o,  // with COMPLEMENT the bits above those of m_o
   output wire [OUTPUT_BITS:0]         r_o,         // u1.RB
   output wire                         halve_o,     // S is at least one
   output wire                         zero_o
@@ -36,8 +37,8 @@ module wrinkle_reciprocal_length #(
 
   // Rank 1: signs and magnitudes, shifted up together.
   wire [3*P-1:0] magnitude;
-  wire [3*M-1:0] m0, m1;
-  wire [2:0]     negative;
+  wire [3*M-1:0] m0, m1, m2;
+  wire [2:0]     negative, negative1, negative2;
   wire [P-1:0]   any = magnitude[0 +: P] | magnitude[P +: P] | magnitude[2*P +: P];
   wire [4:0]     shift;
 
@@ -56,6 +57,8 @@ module wrinkle_reciprocal_length #(
       if (M < P) begin : cut
         wire unused_low = &{1'b0, shifted[P-M-1:0]};
       end
+      assign {negative2[k], m2[k*M +: M]} =
+        COMPLEMENT != 0 && negative1[k] ? -{1'b0, m1[k*M +: M]} : {negative1[k], m1[k*M +: M]};
     end
   endgenerate
 
@@ -86,12 +89,12 @@ module wrinkle_reciprocal_length #(
   ) rsqrt (.clk(clk), .advance_i(advance_i), .t_i(t), .r_o(r_o));
 
   // Beside them: magnitudes, signs, exponent.
-  wire [3:0] signs1;
+  wire zero1;
 
   wrinkle_delay #(.WIDTH(3*M + 4), .RANKS(ALL)) rank1 (
-    .clk(clk), .advance_i(advance_i), .data_i({~|any, negative, m0}), .data_o({signs1, m1}));
+    .clk(clk), .advance_i(advance_i), .data_i({~|any, negative, m0}), .data_o({zero1, negative1, m1}));
   wrinkle_delay #(.WIDTH(3*M + 4), .RANKS(ALL + 2*SOME)) carry4 (
-    .clk(clk), .advance_i(advance_i), .data_i({signs1, m1}), .data_o({zero_o, negative_o, m_o}));
+    .clk(clk), .advance_i(advance_i), .data_i({zero1, negative2, m2}), .data_o({zero_o, negative_o, m_o}));
   wrinkle_delay #(.WIDTH(1), .RANKS(ALL + SOME)) exponent4 (
     .clk(clk), .advance_i(advance_i), .data_i(e2), .data_o(halve_o));
 endmodule

@@ -11,7 +11,6 @@
 #include "golden/exact/perturb.h"
 #include "golden/exact/texture.h"
 #include "golden/pixel/pixel.h"
-#include "sim/input_error.h"
 
 namespace wrinkle {
 namespace {
@@ -158,6 +157,12 @@ class ValueReader {
     return {number(from, stage, name, 0), number(from, stage, name, 1), number(from, stage, name, 2)};
   }
 
+  // N, L or H; `index` is that of its scale, where it has one.
+  Vec3 normalized(const FragmentValues& from, std::string_view name, std::size_t index) const {
+    const double scale = config_.normalizes_after() ? number(from, "normalize", "scale", index) : 1;
+    return scale * vector(from, "normalize", name);
+  }
+
   ExactFragment fragment(const FragmentValues& from, const exact::DrawContext& draw) const {
     ExactFragment f;
     const std::string_view divided = config_.perspective != 0 ? "perspective" : "interpolate";
@@ -177,9 +182,9 @@ class ValueReader {
       f.decal = (1 / (1 - std::ldexp(1.0, -config_.texel_bits))) * vector(from, "texture", "decal");
     f.gradient = {number(from, "texture", "gradient", 0), number(from, "texture", "gradient", 1)};
     f.perturbed_n = vector(from, "perturb", "n");
-    f.n = vector(from, "normalize", "n");
-    f.l = vector(from, "normalize", "l");
-    f.h = vector(from, "normalize", "h");
+    f.n = normalized(from, "n", 0);
+    f.l = normalized(from, "l", 1);
+    f.h = normalized(from, "h", 2);
     f.nl = number(from, "light", "nl");
     f.nh = number(from, "light", "nh");
     f.diffuse = number(from, "light", "diffuse");

@@ -40,8 +40,8 @@ struct ReplayedPixel {
 // The colour with the rounding of the chosen parts only.
 Vec3 replay(const ReplayedPixel& pixel, const Parts& chosen);
 
-// Calls `visit` for every fragment of the frame. Throws InputError for vectors normalized after the dot products, whose
-// normalizer puts out no vector.
+// Calls `visit` for every fragment of the frame. Vectors that are normalized after the dot products are their mantissas
+// times their scales: what the normalizer puts out and what the dot products are of.
 void for_each_replayed(const Config& config, const Frame& frame,
                        const std::function<void(const ReplayedPixel&)>& visit);
 

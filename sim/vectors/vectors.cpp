@@ -47,6 +47,7 @@ Config config_for(VectorKind kind, Config config) {
       // 16-bit components.
       config.vector_bits = 14;
       config.normalizer_n = config.normalizer_l = config.normalizer_h = static_cast<int>(Normalizer::kFaithful);
+      config.normalize_order = static_cast<int>(NormalizeOrder::kBefore);
       config.lighting = static_cast<int>(Lighting::kHalfangle);
       break;
   }

@@ -48,6 +48,10 @@ inline std::vector<Rival> rivals() {
     c.wide_bits = 10;
     c.gradient_bits = 7;
   };
+  const auto deferred = [](Config& c) {
+    c.normalize_order = static_cast<int>(NormalizeOrder::kAfter);
+    c.self_shadow = static_cast<int>(SelfShadow::kOff);
+  };
   const auto lit = [](Config& c, Lighting lighting) { c.lighting = static_cast<int>(lighting); };
   return {
       {"blinn", with(blinn)},
@@ -68,6 +72,18 @@ inline std::vector<Rival> rivals() {
          c.decal = 0;
        })},
       {"constant_light", with([](Config& c) { c.light_vectors = static_cast<int>(LightVectorSource::kConstant); })},
+      {"deferred", with(deferred)},
+      {"deferred_diffuse", with([&](Config& c) {
+         deferred(c);
+         lit(c, Lighting::kDiffuse);
+         c.vector_bits = 6;
+       })},
+      {"deferred_blinn", with([&](Config& c) {
+         blinn(c);
+         deferred(c);
+         c.unit_bits = 8;
+         c.dot_bits = 6;
+       })},
       {"reflection", with([&](Config& c) { lit(c, Lighting::kReflection); })},
       {"compact_lite_near", with([](Config& c) {
          c.normalizer_n = static_cast<int>(Normalizer::kCompact);

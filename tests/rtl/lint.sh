@@ -148,6 +148,19 @@ all_three "shared and single, no self-shadow, squarers used twice" \
 all_three "shared and single, phong, no power" SHARING=1 BUFFERING=1 DATAPATH=0 SELF_SHADOW=2 SPECULAR_SQUARINGS=0
 all_three "shared, largest" SHARING=1 SPECULAR_SQUARINGS=8 VECTOR_BITS=18 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
 
+all_three "normalized after" NORMALIZE_ORDER=1 SELF_SHADOW=0
+all_three "normalized after, diffuse, V < F" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 LIGHTING=0 DATAPATH=0 VECTOR_BITS=5 UNIT_BITS=15 DOT_BITS=6 POWER_BITS=6
+all_three "normalized after, V > F" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=18 UNIT_BITS=6 DOT_BITS=12 PERSPECTIVE=1
+all_three "normalized after, largest" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=18 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18 SPECULAR_SQUARINGS=8
+all_three "normalized after, smallest" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=5 UNIT_BITS=6 DOT_BITS=6 POWER_BITS=6 SPECULAR_SQUARINGS=0
+all_three "normalized after, smallest dots of the longest vectors" \
+  NORMALIZE_ORDER=1 SELF_SHADOW=0 DATAPATH=2 WIDE_BITS=22 UNIT_BITS=16 DOT_BITS=6 POWER_BITS=6
+all_three "normalized after, blinn, diffuse" NORMALIZE_ORDER=1 SELF_SHADOW=0 DATAPATH=2 LIGHTING=0
+
 for stage in $stages; do
   check "verilator wrinkle_$stage alone" verilator_lint "wrinkle_$stage"
   check "icarus    wrinkle_$stage alone" icarus_lint "wrinkle_$stage"
@@ -165,6 +178,14 @@ done
 for stage in packet scan interpolate normalize light; do
   check "yosys     wrinkle_$stage alone, shared and single, synthesized" \
     yosys_synthesize "wrinkle_$stage" $(sharing_of "$stage")
+done
+for stage in normalize light; do
+  order="NORMALIZE_ORDER=1"
+  if [ "$stage" = light ]; then order="$order SELF_SHADOW=0"; fi
+  # shellcheck disable=SC2086
+  check "verilator wrinkle_$stage alone, normalized after" verilator_lint "wrinkle_$stage" $order
+  # shellcheck disable=SC2086
+  check "yosys     wrinkle_$stage alone, normalized after, synthesized" yosys_synthesize "wrinkle_$stage" $order
 done
 for lighting in 2 3; do
   check "yosys     wrinkle_normalize alone, lighting $lighting, synthesized" \
@@ -190,6 +211,10 @@ refused "verilator refuses to share constant light vectors" wrinkle_error_sharin
 refused "icarus refuses to share two kinds of normalizer" wrinkle_error_sharing_is_of_n_l_h \
   icarus_lint wrinkle_core SHARING=1 NORMALIZER_H=0
 refused "yosys refuses BUFFERING=2" wrinkle_error_buffering yosys_check wrinkle_core BUFFERING=2
+refused "icarus refuses self-shadow of vectors that are normalized after" wrinkle_error_normalize_order_after \
+  icarus_lint wrinkle_core NORMALIZE_ORDER=1
+refused "yosys refuses constant light of vectors that are normalized after" wrinkle_error_normalize_order_after \
+  yosys_check wrinkle_core NORMALIZE_ORDER=1 SELF_SHADOW=0 LIGHT_VECTORS=1
 refused "verilator refuses FILTER=3" wrinkle_error_filter verilator_lint wrinkle_core FILTER=3
 refused "icarus refuses DOT_BITS > 2 UNIT_BITS" wrinkle_error_dot_bits_exceeds icarus_lint wrinkle_core UNIT_BITS=6 \
   DOT_BITS=13 POWER_BITS=13

@@ -17,16 +17,39 @@ Vec3 real(const std::array<Batch64::Column, 3>& columns, std::size_t i, int frac
 
 TEST(Light, LanesAgree) { expect_lanes_agree(kLight, 8); }
 
-// Error of p in ulp of u1.PF for an exact N.H: half a u1.DF ulp at first, at most doubled and rounded by each squaring.
-double power_bound(const Config& config, int squarings) {
+// The vector times its scale, where it has one.
+Vec3 real(const Config& config, const Batch64& batch, const std::array<Batch64::Column, 3>& columns, std::size_t k,
+          std::size_t i) {
+  const Vec3 v = real(columns, i, config.unit_bits);
+  return config.normalizes_after()
+             ? std::ldexp(static_cast<double>(batch.normalize_scale[k][i]), -config.scale_bits()) * v
+             : v;
+}
+
+// Of N.L and N.H in ulp of u1.DF: half for the result, and where it is scaled, half of the dot product by the scales
+// and the other way round.
+double dot_bound(const Config& config, const Batch64& batch, const std::array<Batch64::Column, 3>& other, std::size_t k,
+                 std::size_t i) {
+  if (!config.normalizes_after()) return 0.5;
+  const auto scale = [&](std::size_t e) {
+    return std::ldexp(static_cast<double>(batch.normalize_scale[e][i]), -config.scale_bits());
+  };
+  const double cosine = dot(real(batch.normalize_n, i, config.unit_bits), real(other, i, config.unit_bits));
+  return 0.5 + (scale(0) * scale(k) + std::abs(cosine)) / 2 + std::ldexp(1.0, -config.dot_bits - 2);
+}
+
+// Error of p in ulp of u1.PF for an exact N.H: that of N.H in ulp of u1.DF at first, at most doubled and rounded by
+// each squaring.
+double power_bound(const Config& config, int squarings, double of_dot = 0.5) {
   const double ulp = std::ldexp(1.0, -config.power_bits);
-  double error = std::ldexp(0.5, config.power_bits - config.dot_bits);
+  double error = std::ldexp(of_dot, config.power_bits - config.dot_bits);
   for (int k = 0; k < squarings; ++k) error = 2 * error + error * error * ulp + 0.5;
   return std::min(error, std::ldexp(1.0, config.power_bits));
 }
 
 TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
   Worst nl("light nl, ulp of u1.DF", 0.5), nh("light nh, ulp of u1.DF", 0.5);
+  Worst scaled("light nl and nh scaled after, share of their bound", 1);
   Worst reflection("light R.E, share of its bound", 1);
   Worst power("light (N.H)^n without shadow, share of its bound", 1);
   Worst diffuse("light diffuse, no or hard shadow, ulp of u1.DF", 0.5),
@@ -44,18 +67,25 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
     const bool shadowed = draw.shadow && config.self_shadow != 0;
     const double one = std::ldexp(1.0, config.dot_bits);
     for (std::size_t i = 0; i < kBatch; ++i) {
-      const Vec3 n = real(batch->normalize_n, i, config.unit_bits), l = real(batch->normalize_l, i, config.unit_bits),
-                 h = real(batch->normalize_h, i, config.unit_bits);
+      const Vec3 n = real(config, *batch, batch->normalize_n, 0, i), l = real(config, *batch, batch->normalize_l, 1, i),
+                 h = real(config, *batch, batch->normalize_h, 2, i);
+      const bool after = config.normalizes_after();
+      const double nl_bound = dot_bound(config, *batch, batch->normalize_l, 1, i);
+      const double nh_bound = dot_bound(config, *batch, batch->normalize_h, 2, i);
       DrawWords words = draw;
       words.shadow = shadowed;
       const exact::Lit lit = exact::light(config, words, n, l, h, l.z);
       const auto got = [&](const auto& columns) { return static_cast<double>(columns[0][i]); };
-      nl.see(got(batch->light_nl) - one * lit.nl);
+      const double nl_error = got(batch->light_nl) - one * lit.nl;
+      if (after)
+        scaled.see(nl_error / nl_bound);
+      else
+        nl.see(nl_error);
       const double error = got(batch->light_diffuse) - one * lit.diffuse;
       const bool at_edge = l.z > 0 && l.z * one < 0.5;  // hard: L.z rounds to 0 and cuts off
       if (shadowed && config.self_shadow == 2)
         smooth.see(error);
-      else if (!shadowed || !draw.bump || !at_edge)
+      else if (!after && (!shadowed || !draw.bump || !at_edge))
         diffuse.see(error);
       if (!config.has_specular()) continue;
       const double nh_error = got(batch->light_nh) - one * lit.nh;
@@ -64,10 +94,13 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
         reflection.see(nh_error / (0.5 + std::ldexp(1.01, config.dot_bits + 1 - config.unit_bits)));
         continue;
       }
-      nh.see(nh_error);
+      if (after)
+        scaled.see(nh_error / nh_bound);
+      else
+        nh.see(nh_error);
       if (!shadowed)
         power.see((got(batch->light_specular) - std::ldexp(lit.specular, config.power_bits)) /
-                  std::max(0.5, draw.exponent_zero ? 0 : power_bound(config, draw.squarings)));
+                  std::max(0.5, draw.exponent_zero ? 0 : power_bound(config, draw.squarings, nh_bound)));
     }
   }
 }
@@ -110,6 +143,27 @@ TEST(Light, ExtremesOfDots) {
   one.shade({148, 148, 148}, {148, 148, 148}, {148, 149, 148});
   EXPECT_EQ(one.nl(), 65536) << "34: 148^2 * 3 is above 1";
   EXPECT_EQ(one.nh(), 65536) << "34";
+}
+
+// Scaled after: a cosine of 1 is at most 1, a right angle is 0, whatever the lengths; zero vectors have no light.
+TEST(Light, ExtremesOfScaledDots) {
+  const Config config = deferred({{&Config::unit_bits, 8}, {&Config::dot_bits, 8}, {&Config::power_bits, 8}});
+  Lighting1 one(config);
+  const auto scales = [&](std::array<std::int64_t, 3> s) {
+    for (std::size_t k = 0; k < 3; ++k) one.batch->normalize_scale[k][0] = s[k];
+  };
+  scales({512, 512, 512});
+  one.shade({0, 0, 255}, {0, 0, 255}, {0, 255, 0});
+  EXPECT_EQ(one.nl(), 254) << "255/256 squared is .99220";
+  EXPECT_EQ(one.nh(), 0) << "32";
+  scales({1023, 512, 1023});
+  one.shade({128, 0, 0}, {128, 0, 0}, {-128, 0, 0});
+  EXPECT_EQ(one.nl(), 128) << "halves of a length that is halved once";
+  EXPECT_EQ(one.nh(), 0) << "33";
+  scales({1023, 1023, 1023});
+  one.shade({255, 255, 255}, {255, 255, 255}, {0, 0, 0});
+  EXPECT_EQ(one.nl(), 256) << "34: 12 saturates";
+  EXPECT_EQ(one.nh(), 0) << "a zero vector";
 }
 
 // R = 2 (N.L) N - L: the mirror direction is 1, and below the horizon there is nothing.

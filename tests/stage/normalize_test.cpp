@@ -161,6 +161,92 @@ TEST_P(NormalizeF, LargestSumAndTies) {
   }
 }
 
+// Mantissa and scale of one N, normalized after the dot products.
+class DeferredUnit {
+ public:
+  struct Result {
+    Vector m;
+    std::int64_t scale;
+    bool zero;
+  };
+
+  DeferredUnit(int unit_bits, int vector_bits)
+      : context_(make_context(
+            deferred({{&Config::unit_bits, unit_bits}, {&Config::vector_bits, vector_bits}, {&Config::dot_bits, 6}}))) {
+  }
+
+  Result operator()(const Vector& v) {
+    for (std::size_t k = 0; k < 3; ++k) batch_->perturb_n[k][0] = v[k];
+    batch_->interpolate_l[0][0] = batch_->interpolate_h[0][0] = 1;
+    batch_->count = 1;
+    run_checked(context_, kNormalize, *spans_, *batch_);
+    const auto& n = batch_->normalize_n;
+    return {{n[0][0], n[1][0], n[2][0]}, batch_->normalize_scale[0][0], batch_->normalize_zero[0][0] != 0};
+  }
+
+ private:
+  Context context_;
+  std::unique_ptr<Batch<std::int64_t>> batch_ = std::make_unique<Batch<std::int64_t>>();
+  std::unique_ptr<Spans<std::int64_t>> spans_ = std::make_unique<Spans<std::int64_t>>();
+};
+
+// The mantissa is the leading F bits, cut, of what is shifted until the greatest component is in [1/2, 1); by its
+// scale it has a length of 1, within rho of the table and what halving a root cuts off.
+TEST_P(NormalizeF, MantissaAndScale) {
+  const RsqrtGeometry& g = rsqrt_geometry(f());
+  const double halved = std::sqrt(.75) * std::ldexp(1.0, f() - g.output_bits);
+  Worst length("mantissa by scale, F = " + std::to_string(f()) + ", length, 2^-F", 0.5 + halved);
+  Worst angle("mantissa, F = " + std::to_string(f()) + ", direction, 2^-F", 2 * std::sqrt(3.0));
+  Random random(base_seed());
+  for (int v_bits = 5; v_bits <= 18; ++v_bits) {
+    DeferredUnit unit(f(), v_bits);
+    const std::int64_t high = (std::int64_t{2} << v_bits) - 1;
+    for (int i = 0; i < 3000; ++i) {
+      const Vector v = random_vector(random, v_bits);
+      const auto [m, scale, zero] = unit(v);
+      ASSERT_EQ(zero, v == Vector{});
+      if (zero) continue;
+      Vec3 real, mantissa;
+      std::int64_t greatest = 0;
+      for (auto c : v) greatest = std::max(greatest, std::min(std::abs(c), high));
+      const int exponent = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(greatest)));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double component = static_cast<double>(std::clamp(v[k], -high, high));
+        const double shifted = std::trunc(std::ldexp(component, f() - exponent));
+        ASSERT_EQ(static_cast<double>(m[k]), shifted) << print(v);
+        const auto axis = std::array{&Vec3::x, &Vec3::y, &Vec3::z}[k];
+        real.*axis = component;
+        mantissa.*axis = static_cast<double>(m[k]);
+      }
+      const double one = std::ldexp(wrinkle::length(mantissa) * static_cast<double>(scale), -f() - g.output_bits);
+      length.see(std::ldexp(one - 1, f()), print(v));
+      const double turned = std::atan2(wrinkle::length(cross(real, mantissa)), dot(real, mantissa));
+      angle.see(std::ldexp(turned, f()), print(v));
+      const auto opposite = unit({-v[0], -v[1], -v[2]});
+      ASSERT_EQ(opposite.m, (Vector{-m[0], -m[1], -m[2]})) << print(v);
+      ASSERT_EQ(opposite.scale, scale) << print(v);
+    }
+  }
+}
+
+TEST_P(NormalizeF, ExtremesOfMantissas) {
+  const RsqrtGeometry& g = rsqrt_geometry(f());
+  const std::int64_t nearly_two = rsqrt(g, rsqrt_table(g), std::int64_t{1} << (g.input_bits - 2));  // t = 1/4
+  for (int v_bits : {5, 7, 10, 15, 18}) {
+    DeferredUnit unit(f(), v_bits);
+    const std::int64_t half = std::int64_t{1} << (f() - 1), high = (std::int64_t{2} << v_bits) - 1;
+    SCOPED_TRACE("V = " + std::to_string(v_bits));
+    const auto none = unit({0, 0, 0});
+    EXPECT_EQ(none.m, Vector{}) << "19, 21";
+    EXPECT_EQ(none.scale, nearly_two) << "19: that of t = 1/4";
+    const auto least = unit({0, -1, 0});
+    EXPECT_EQ(least.m, (Vector{0, -half, 0})) << "24: a single LSB";
+    EXPECT_EQ(least.scale, nearly_two);
+    EXPECT_EQ(unit({-high - 1, high, 0}).m, unit({-high, high, 0}).m) << "22: -2^(V+1) is -(2^(V+1) - 1)";
+    EXPECT_EQ(unit({high, high, high}).scale, unit({-high - 1, high, -high}).scale) << "23";
+  }
+}
+
 TEST_P(NormalizeF, ZeroIsFlagged) {
   Unit unit(f(), 10);
   Context context = make_context(unit.config());

@@ -36,6 +36,14 @@ inline Config with(std::initializer_list<std::pair<int Config::*, int>> changes)
   return config;
 }
 
+// Vectors are normalized after the dot products.
+inline Config deferred(std::initializer_list<std::pair<int Config::*, int>> changes) {
+  Config config = with(changes);
+  config.normalize_order = 1;
+  config.self_shadow = 0;
+  return config;
+}
+
 inline Config extreme(bool highest) {
   Config config;
   for (const Parameter& p : parameters())
@@ -100,6 +108,14 @@ inline std::vector<NamedConfig> configurations(int random_count = 12) {
                                            {&Config::normalizer_h, 0}})},
       {"half-angle of the pixel", with({{&Config::lighting, 3}})},
       {"half-angle of the pixel, constant light vectors", with({{&Config::lighting, 3}, {&Config::light_vectors, 1}})},
+      {"normalized after", deferred({})},
+      {"normalized after, diffuse", deferred({{&Config::lighting, 0}, {&Config::vector_bits, 7}})},
+      {"normalized after, blinn", deferred({{&Config::datapath, 2}, {&Config::perspective, 1}})},
+      {"normalized after, narrowest dots of the longest vectors",
+       deferred({{&Config::unit_bits, 13}, {&Config::dot_bits, 6}, {&Config::power_bits, 6}})},
+      {"normalized after, widest",
+       deferred(
+           {{&Config::vector_bits, 18}, {&Config::unit_bits, 16}, {&Config::dot_bits, 16}, {&Config::power_bits, 18}})},
       {"narrowest", extreme(false)},
       {"widest", extreme(true)},
   };
@@ -115,7 +131,9 @@ struct Range {
 inline Range range_of(const Config& config, const Value& value) {
   const auto up_to = [](int bits) { return std::int64_t{1} << bits; };
   if (value.stage == "light") return {0, up_to(value.fraction_bits)};
-  if (value.stage == "normalize" && value.name != "zero") {
+  if (value.stage == "normalize" && config.normalizes_after() && value.is_signed)
+    return {1 - up_to(value.fraction_bits), up_to(value.fraction_bits) - 1};
+  if (value.stage == "normalize" && value.is_signed) {
     const int normalizer = value.name == "n"   ? config.normalizer_n
                            : value.name == "l" ? config.normalizer_l
                                                : config.normalizer_h;
