@@ -5,8 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
+#include "sim/aov.h"
 #include "sim/command.h"
 #include "sim/config_file.h"
+#include "sim/engine.h"
 #include "sim/report/area.h"
 #include "sim/report/baseline.h"
 #include "sim/report/error.h"
@@ -77,6 +79,21 @@ TEST(Modules, OnlyWhatAModuleNeeds) {
   config.screen_bits = 7;
   const VerilogParameters expected{{"SCREEN_BITS", 7}, {"SUBPIXEL_BITS", config.subpixel_bits}};
   EXPECT_EQ(module_parameters("wrinkle_scan", config), expected);
+}
+
+// N, L and H are unit vectors in every order of normalization: mantissas are multiplied by their scales.
+TEST(Aov, VectorsOfMantissasHaveUnitLength) {
+  const Config config = load_config("deferred");
+  const Frame frame = build_frame(config, scene_named("patch_fig6"));
+  double worst = 0;
+  std::uint64_t fragments = 0;
+  draw(Engine::kGolden, config, frame, aov_channels(config, {"N", "L", "H"}), [&](const Sample& sample) {
+    ++fragments;
+    for (std::size_t k = 0; k < 9; k += 3)
+      worst = std::max(worst, std::abs(length(Vec3{sample.aov[k], sample.aov[k + 1], sample.aov[k + 2]}) - 1));
+  });
+  EXPECT_GT(fragments, 10000u);
+  EXPECT_LT(worst, std::ldexp(1.0, -config.unit_bits));
 }
 
 class Replay : public testing::TestWithParam<std::pair<const char*, const char*>> {};
