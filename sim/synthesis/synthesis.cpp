@@ -92,10 +92,10 @@ std::string filled_in(const Job& job, const std::string& script) {
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
   for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value);
   const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
-  const std::string map_registers =
-      job.options.registers
-          ? ""
-          : fmt::format("opt_dff\ntechmap -map {}\nopt\nwreduce\nopt_clean\n", (job.folder / "wires.v").string());
+  const std::string map_registers = job.options.registers
+                                        ? ""
+                                        : fmt::format("opt_dff -nosdff\ntechmap -map {}\nopt\nwreduce\nopt_clean\n",
+                                                      (job.folder / "wires.v").string());
   const std::string map_products =
       map_registers + (job.options.full_adders ? techmap("square.v") + techmap("signed_multiply.v") + "opt\n" : "");
   const std::string map_adders = job.options.full_adders
@@ -146,6 +146,8 @@ SynthesisResult cell_counts(const Job& job) {
   result.cells = read_cells(job.folder / "stat.json");
   result.multipliers = read_multipliers(job.folder / "multipliers.il");
   result.flip_flops = count_flip_flops(result.cells);
+  if (!job.options.registers && result.flip_flops > 0)
+    throw SynthesisError(fmt::format("{} registers of {} did not become wires", result.flip_flops, job.top));
   return result;
 }
 
