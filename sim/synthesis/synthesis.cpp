@@ -96,7 +96,8 @@ std::string filled_in(const Job& job, const std::string& script) {
       job.options.registers
           ? ""
           : fmt::format("opt_dff\ntechmap -map {}\nopt\nwreduce\nopt_clean\n", (job.folder / "wires.v").string());
-  const std::string map_signs = map_registers + (job.options.full_adders ? techmap("signed_multiply.v") + "opt\n" : "");
+  const std::string map_products =
+      map_registers + (job.options.full_adders ? techmap("square.v") + techmap("signed_multiply.v") + "opt\n" : "");
   const std::string map_adders = job.options.full_adders
                                      ? techmap("ripple.v") + "techmap\nopt -full\nextract_fa -fa\nopt_clean\n" +
                                            techmap("full_adder.v") + "techmap"
@@ -111,7 +112,7 @@ std::string filled_in(const Job& job, const std::string& script) {
   text = replace_all(text, "@FOLDER@", job.folder);
   text = replace_all(text, "@SCRIPTS@", scripts());
   text = replace_all(text, "@EFFORT@", job.options.effort);
-  text = replace_all(text, "@MAP_SIGNS@", map_signs);
+  text = replace_all(text, "@MAP_PRODUCTS@", map_products);
   text = replace_all(text, "@MAP_ADDERS@", map_adders);
   if (job.is_standard_cells()) text = replace_all(text, "@LIBERTY@", liberty_path(job.library));
   return text;

@@ -69,6 +69,11 @@ inline std::vector<Rival> rivals() {
        })},
       {"constant_light", with([](Config& c) { c.light_vectors = static_cast<int>(LightVectorSource::kConstant); })},
       {"reflection", with([&](Config& c) { lit(c, Lighting::kReflection); })},
+      {"compact_lite_near", with([](Config& c) {
+         c.normalizer_n = static_cast<int>(Normalizer::kCompact);
+         c.normalizer_l = static_cast<int>(Normalizer::kLite);
+         c.normalizer_h = static_cast<int>(Normalizer::kNear);
+       })},
       {"pixel_halfangle", with([&](Config& c) { lit(c, Lighting::kPixelHalfangle); })},
       {"constant_light_pixel_halfangle", with([&](Config& c) {
          lit(c, Lighting::kPixelHalfangle);
@@ -133,6 +138,11 @@ inline Config spread_config(int index) {
   // What the choices do not allow each other.
   config.normalize_order = config.sharing = 0;
   if (config.is(Datapath::kRotated)) config.light_vectors = 0;
+  // Wide compact normalizers take long to build: tests/rtl/normalizer.sh has them alone.
+  if (index >= kSpread / 2) {
+    for (int Config::*normalizer : {&Config::normalizer_n, &Config::normalizer_l, &Config::normalizer_h})
+      config.*normalizer = std::min(config.*normalizer, static_cast<int>(Normalizer::kFaithful));
+  }
   if (config.has_blinn()) config.normalizer_n = static_cast<int>(Normalizer::kFaithful);
   if (config.is(Lighting::kPixelHalfangle)) config.normalizer_h = static_cast<int>(Normalizer::kFaithful);
   return config;

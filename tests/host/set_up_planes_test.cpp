@@ -141,6 +141,25 @@ TEST(SetUp, VectorsFollowThePerspective) {
   EXPECT_GT(worst, 0);
 }
 
+// A vector for `near`, or for no normalizer, keeps its length: at the corner of the least q it is still of length one.
+TEST(SetUp, OnlyVectorsForAnyLengthAreScaled) {
+  Config config = fixed_widths();
+  config.perspective = 1;
+  ScreenTriangle t = triangle({100, 100}, {60000, 300}, {500, 62000});
+  t.v[0].q = 2, t.v[1].q = 0.5, t.v[2].q = 1;
+  for (ScreenVertex& v : t.v) v.L = {0.6, 0, 0.8};
+  const Corners corners = sort_corners(config, t);
+  const auto shortest = [&](Normalizer kind) {
+    double least = 2;
+    for (const Vec3& v : vector_corners(config, corners, &ScreenVertex::L, static_cast<int>(kind)))
+      least = std::min(least, length(v));
+    return least;
+  };
+  for (Normalizer kind : {Normalizer::kNone, Normalizer::kNear}) EXPECT_NEAR(shortest(kind), 1, 1e-15);
+  for (Normalizer kind : {Normalizer::kFaithful, Normalizer::kCompact, Normalizer::kLite})
+    EXPECT_NEAR(shortest(kind), 0.25, 1e-15);
+}
+
 TEST(SetUp, OneRowHasNoStep) {
   const Config config = fixed_widths();
   const auto packets = set_up(config, triangle({0, 0}, {200000, 100}, {3, 300}), bumped(), 1024, 1024);

@@ -124,6 +124,12 @@ all_three "rotated" DATAPATH=3
 all_three "rotated, reflection, decal" DATAPATH=3 LIGHTING=2 DECAL=1 SELF_SHADOW=2 UNIT_BITS=6 DOT_BITS=12
 all_three "rotated, half-angle at every pixel" DATAPATH=3 LIGHTING=3 SELF_SHADOW=0 PERSPECTIVE=1
 all_three "rotated, diffuse, no normalizer" DATAPATH=3 LIGHTING=0 NORMALIZER_L=0 DEPTH=0
+all_three "compact normalizers" NORMALIZER_N=2 NORMALIZER_L=2 NORMALIZER_H=2
+all_three "lite and near normalizers, vectors wider" NORMALIZER_N=3 NORMALIZER_L=4 NORMALIZER_H=4 UNIT_BITS=6 VECTOR_BITS=18
+all_three "compact and near normalizers, vectors narrower" \
+  NORMALIZER_N=2 NORMALIZER_L=4 NORMALIZER_H=3 UNIT_BITS=16 VECTOR_BITS=5
+all_three "compact normalizers of wide vectors" \
+  DATAPATH=2 WIDE_BITS=22 GRADIENT_BITS=12 NORMALIZER_N=2 LIGHTING=3 NORMALIZER_H=2 NORMALIZER_L=4
 all_three "constant light" LIGHT_VECTORS=1
 all_three "constant light, diffuse" LIGHT_VECTORS=1 LIGHTING=0 DATAPATH=0
 all_three "constant light, reflection, perspective" LIGHT_VECTORS=1 LIGHTING=2 PERSPECTIVE=1 DECAL=1

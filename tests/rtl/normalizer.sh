@@ -1,6 +1,7 @@
 #!/bin/sh
 # The normalizers alone, in Verilog, against the golden model (normalizer.cpp).
-#   normalizer.sh BUILD                     every kind once, at ends and in the middle of F and V
+#   normalizer.sh BUILD                     every kind once
+#   normalizer.sh BUILD --every-width       `compact` at every F and with V below, at and above it, half an hour
 #   normalizer.sh BUILD --exhaustive KIND   one kind at F = V = 8 over every triple of magnitudes, minutes
 # KIND is faithful, compact, lite or near. BUILD is the build directory, for its libraries.
 set -eu
@@ -38,8 +39,15 @@ if [ "$mode" = --exhaustive ]; then
   run "$(number "${3:-compact}")" 8 8
   exit
 fi
+if [ "$mode" = --every-width ]; then
+  for f in 6 7 8 9 10 11 12 13 14 15 16; do run 2 "$f" "$f"; done
+  run 2 16 5
+  run 2 6 18
+  run 4 12 16
+  run 3 16 16
+  exit
+fi
 run 1 9 9
-run 2 6 18
-run 2 16 5
-run 3 9 9
-run 4 10 12
+run 2 9 9
+run 3 8 9
+run 4 10 9

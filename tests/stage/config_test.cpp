@@ -51,11 +51,18 @@ TEST(Config, RulesBetweenParameters) {
   EXPECT_EQ(check(divided).key, "");
 }
 
-// What the rival datapaths ask for; 0 is none, 3 near.
+// What the rival datapaths ask for; 0 is none, 4 near.
 TEST(Config, RulesOfTheRivals) {
   EXPECT_EQ(check(with({{&Config::datapath, 2}, {&Config::normalizer_n, 0}})).key, "normalizer_n");
   EXPECT_EQ(check(with({{&Config::lighting, 3}, {&Config::normalizer_h, 0}})).key, "normalizer_h");
   EXPECT_EQ(check(with({{&Config::normalizer_n, 0}, {&Config::normalizer_h, 0}})).key, "");
+  EXPECT_EQ(check(with({{&Config::datapath, 2}, {&Config::normalizer_n, 4}})).key, "normalizer_n");
+  EXPECT_EQ(check(with({{&Config::lighting, 3}, {&Config::normalizer_h, 4}})).key, "normalizer_h");
+  for (int small : {2, 3}) {
+    EXPECT_EQ(check(with({{&Config::datapath, 2}, {&Config::normalizer_n, small}})).key, "");
+    EXPECT_EQ(check(with({{&Config::lighting, 3}, {&Config::normalizer_h, small}})).key, "");
+  }
+  EXPECT_EQ(check(with({{&Config::normalizer_n, 4}, {&Config::normalizer_l, 4}, {&Config::normalizer_h, 4}})).key, "");
   EXPECT_EQ(check(with({{&Config::datapath, 3}, {&Config::light_vectors, 1}})).key, "light_vectors");
   EXPECT_EQ(check(with({{&Config::datapath, 2}, {&Config::light_vectors, 1}})).key, "");
   const Config blinn = with({{&Config::datapath, 2}});

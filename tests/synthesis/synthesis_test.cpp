@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "sim/synthesis/result.h"
+#include "tb/process.h"
 
 namespace wrinkle {
 namespace {
@@ -96,6 +97,44 @@ TEST_F(Synthesis, FullAddersMakeSumsSmaller) {
   EXPECT_LT(mapped.nand2, 0.9 * simple.nand2);
   EXPECT_GT(mapped.critical_path_ns, 2);
   EXPECT_LT(mapped.critical_path_ns, 20);
+}
+
+constexpr const char* kSquare = R"(
+module square (input [8:0] a_i, output [17:0] y_o);
+  assign y_o = a_i * a_i;
+endmodule
+)";
+
+TEST_F(Synthesis, SquaresAreFolded) {
+  source(kSquare);
+  const int adders = synthesise("square", {}, CellLibrary::kOsu035, options_).cells.at("FAX1");
+  EXPECT_LT(adders, 40);  // 36 pairs and 9 single dots in 18 columns
+}
+
+// Products, sums and their adders before and after the maps of cells.ys, proven equal for every input.
+TEST_F(Synthesis, MapsKeepEveryValue) {
+  const fs::path scripts = fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "scripts";
+  const fs::path design = folder_ / "design.v", script = folder_ / "prove.ys";
+  std::ofstream(design) << R"(
+module arithmetic (input [4:0] a_i, input signed [4:0] b_i, input signed [3:0] c_i,
+                   output [9:0] square_o, output [6:0] low_o, output signed [8:0] product_o, output [8:0] mixed_o,
+                   output [5:0] difference_o);
+  assign square_o = a_i * a_i;
+  assign low_o = a_i * a_i + {2'b00, b_i};
+  assign product_o = b_i * c_i;
+  assign mixed_o = a_i * $unsigned(c_i);
+  assign difference_o = a_i - {1'b0, b_i};
+endmodule
+)";
+  std::ofstream(script) << "read_verilog " << design.string() << "\nproc\nopt\ncopy arithmetic mapped\n"
+                        << "techmap -map " << (scripts / "square.v").string() << " mapped\n"
+                        << "techmap -map " << (scripts / "signed_multiply.v").string() << " mapped\n"
+                        << "opt mapped\nalumacc mapped\nmaccmap mapped\n"
+                        << "techmap -map " << (scripts / "ripple.v").string() << " mapped\ntechmap mapped\nopt mapped\n"
+                        << "miter -equiv -flatten -make_assert arithmetic mapped miter\n"
+                        << "sat -verify -prove-asserts miter\n";
+  const int code = Process({"yosys", "-Q", "-s", script}, folder_ / "log").wait();
+  EXPECT_EQ(code, 0) << read_text(folder_ / "log");
 }
 
 TEST_F(Synthesis, MultipliersAreListedWithTheirBits) {
