@@ -26,7 +26,8 @@ TEST(Soak, SpreadConfigurationsAreLegalAndDifferInEveryWidth) {
   for (int i = 0; i < kSpread; ++i) EXPECT_EQ(check(spread_config(i)).message, "") << "configuration " << i;
   for (const Parameter& parameter : parameters()) {
     // These demand too much of the others, or of the time to build; rivals() and tests/rtl/normalizer.sh have them all.
-    const std::set<std::string_view> apart{"sharing", "normalize_order", "normalizer_n", "normalizer_l", "normalizer_h"};
+    const std::set<std::string_view> apart{"sharing", "normalize_order", "normalizer_n", "normalizer_l",
+                                           "normalizer_h"};
     if (apart.contains(parameter.name)) continue;
     std::set<int> seen;
     for (int i = 0; i < kSpread; ++i) seen.insert(spread_config(i).*parameter.member);
