@@ -50,11 +50,6 @@ module wrinkle_separate_light #(
   localparam RANKS   = DOTS + K + SHADOW;
 
   wire              advance;
-  generate
-    if (AFTER == 0) begin : units
-      wire unused_scale = scale_i;
-    end
-  endgenerate
   wire [DOT_BITS:0] nl_early, nl;  // after the dot product and after the power
 
   wrinkle_pipe #(.RANKS(RANKS)) pipe (
@@ -79,6 +74,11 @@ module wrinkle_separate_light #(
         .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .dot_o(nl_early));
     end
   endgenerate
+  generate
+    if (AFTER == 0) begin : before
+      wire unused_scale = scale_i;
+    end
+  endgenerate
   wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOTS - DOT + K)) delay_nl (
     .clk(clk), .advance_i(advance), .data_i(nl_early), .data_o(nl));
 
@@ -98,9 +98,8 @@ module wrinkle_separate_light #(
         wire unused_bump = draw_bump_i;
         assign source = nl;
       end
-      wire over = SELF_SHADOW == 1 ? |source : |source[DOT_BITS:DOT_BITS-3];
-      assign factor = ~draw_shadow_i | over ? {1'b1, {DOT_BITS{1'b0}}} :
-                      SELF_SHADOW == 1 ? {(DOT_BITS + 1){1'b0}} : {source[DOT_BITS-3:0], 3'b000};
+      wrinkle_shadow_factor #(.SELF_SHADOW(SELF_SHADOW), .DOT_BITS(DOT_BITS)) shadow (
+        .source_i(source), .off_i(~draw_shadow_i), .factor_o(factor));
 
       wire [DOT_BITS:0] diffuse;
       reg [DOT_BITS:0]  diffuse_q;
