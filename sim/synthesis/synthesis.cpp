@@ -50,7 +50,15 @@ struct Job {
   std::string main_script() const { return is_standard_cells() ? "cells.ys" : cell_library_name(library) + ".ys"; }
 };
 
-// What a register becomes where none are wanted.
+// Where no registers are wanted. Ports of one bit each, for OpenSTA reads no assignment to a concatenation, which is
+// what becomes of outputs that share a gate.
+constexpr const char* kRegistersToWires = R"(opt_dff -nosdff
+techmap -map @FOLDER@/wires.v
+splitnets -ports -format __
+opt
+wreduce
+opt_clean
+)";
 constexpr const char* kWires = R"((* techmap_celltype = "$dff $dffe" *)
 module wires #(parameter WIDTH = 1, parameter CLK_POLARITY = 1, parameter EN_POLARITY = 1) (
   input CLK, input EN, input [WIDTH-1:0] D, output [WIDTH-1:0] Q);
@@ -92,10 +100,8 @@ std::string filled_in(const Job& job, const std::string& script) {
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
   for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value);
   const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
-  const std::string map_registers = job.options.registers
-                                        ? ""
-                                        : fmt::format("opt_dff -nosdff\ntechmap -map {}\nopt\nwreduce\nopt_clean\n",
-                                                      (job.folder / "wires.v").string());
+  const std::string map_registers =
+      job.options.registers ? "" : replace_all(kRegistersToWires, "@FOLDER@", job.folder.string());
   const std::string map_products =
       map_registers + (job.options.full_adders ? techmap("square.v") + techmap("signed_multiply.v") + "opt\n" : "");
   const std::string map_adders = job.options.full_adders
@@ -211,7 +217,7 @@ std::string job_key(const Job& job) {
   if (job.is_standard_cells()) key.add(read_text(liberty_path(job.library)));
   key.add(fmt::format("{} {}", job.is_placed(), job.options.full_adders));
   key.add(job.options.effort);
-  if (!job.options.registers) key.add(kWires);
+  if (!job.options.registers) key.add(std::string(kRegistersToWires) + kWires);
   key.add(provenance(job));
   return key.hex();
 }
