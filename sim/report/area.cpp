@@ -84,7 +84,10 @@ AreaReport as_figure(AreaReport report, const AreaReport& plain, const AreaRepor
       const SynthesisResult part = difference(stage_of(textured, split).result, stage_of(plain, split).result);
       stage.result = difference(stage.result, part);
     }
-    if (stage.stage == "texture" && report.name == plain.name) stage.result = stage_of(textured, "texture").result;
+    if (stage.stage == "texture" && report.name == plain.name) {
+      stage.result = stage_of(textured, "texture").result;
+      report.lent_um2 = stage.result.um2 + coordinates.um2;
+    }
     if (stage.stage == "texture") stages.push_back({"texture coordinates", coordinates, true});
     stages.push_back(stage);
   }
@@ -124,7 +127,7 @@ double AreaReport::critical_path_ns() const {
   return path;
 }
 
-double AreaReport::deviation() const { return flat.um2 > 0 ? (sum_um2() - flat.um2) / flat.um2 : 0; }
+double AreaReport::deviation() const { return flat.um2 > 0 ? (sum_um2() - lent_um2 - flat.um2) / flat.um2 : 0; }
 
 AreaReport measure_area(const std::string& name, const Config& config, const AreaOptions& options) {
   AreaReport report{name, cell_library_name(options.library), {}, {}};
