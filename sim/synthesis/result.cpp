@@ -94,7 +94,7 @@ SynthesisResult synthesis_result(const nlohmann::json& json) {
   SynthesisResult result;
   result.um2 = json.at("um2");
   result.nand2 = json.at("nand2");
-  result.critical_path_ns = json.at("critical_path_ns").get<double>() + 0.0;  // -0 of a module without logic
+  result.critical_path_ns = json.at("critical_path_ns");
   result.flip_flops = json.at("flip_flops");
   for (const auto& m : json.at("multipliers"))
     result.multipliers.push_back({m.at("a_bits"), m.at("b_bits"), m.at("signed")});
