@@ -77,7 +77,8 @@ TEST(Modules, OnlyWhatAModuleNeeds) {
   EXPECT_THAT(names, testing::Not(testing::Contains("wrinkle_texture_filter")));
   Config config = load_config("standard");
   config.screen_bits = 7;
-  const VerilogParameters expected{{"SCREEN_BITS", 7}, {"SUBPIXEL_BITS", config.subpixel_bits}};
+  const VerilogParameters expected{
+      {"SCREEN_BITS", 7}, {"SUBPIXEL_BITS", config.subpixel_bits}, {"SHARING", 0}, {"BUFFERING", 0}};
   EXPECT_EQ(module_parameters("wrinkle_scan", config), expected);
 }
 
