@@ -150,19 +150,17 @@ std::span<const Parameter> parameters() {
 
 // What the normalizers and the parts before them demand of each other.
 static IllegalParameter check_normalizers(const Config& c) {
-  const auto reject = [](std::string key, const std::string& reason) {
-    return IllegalParameter{key, key + " = none is not legal: " + reason};
+  const auto takes_any_length = [](int kind) {
+    return kind != static_cast<int>(Normalizer::kNone) && kind != static_cast<int>(Normalizer::kNear);
   };
-  const int none = static_cast<int>(Normalizer::kNone);
-  if (c.has_blinn() && c.normalizer_n == none)
-    return reject("normalizer_n", "the length of Pu x Pv - fu Pv x N - fv N x Pu is anything");
-  if (c.is(Lighting::kPixelHalfangle) && c.normalizer_h == none)
-    return reject("normalizer_h", "the length of L + E is anything up to 2");
-  const int near = static_cast<int>(Normalizer::kNear);
-  if (c.has_blinn() && c.normalizer_n == near)
-    return {"normalizer_n", "normalizer_n = near is not legal: the length of N of datapath = blinn is anything"};
-  if (c.is(Lighting::kPixelHalfangle) && c.normalizer_h == near)
-    return {"normalizer_h", "normalizer_h = near is not legal: the length of L + E is anything up to 2"};
+  const auto reject = [](std::string key, int kind, const std::string& reason) {
+    const char* name = kind == static_cast<int>(Normalizer::kNone) ? "none" : "near";
+    return IllegalParameter{key, key + " = " + name + " is not legal: " + reason};
+  };
+  if (c.has_blinn() && !takes_any_length(c.normalizer_n))
+    return reject("normalizer_n", c.normalizer_n, "the length of Pu x Pv - fu Pv x N - fv N x Pu is anything");
+  if (c.is(Lighting::kPixelHalfangle) && !takes_any_length(c.normalizer_h))
+    return reject("normalizer_h", c.normalizer_h, "the length of L + E is anything up to 2");
   return {};
 }
 

@@ -124,7 +124,7 @@ int run_normalizers(const Options& options) {
 
 int area(const Options& options) {
   if (options.normalizers) return run_normalizers(options);
-  if (options.figures || options.check || options.keep) return run_figures(options);
+  if (options.figures || options.quick || options.check || options.keep) return run_figures(options);
   const Config config = apply_overrides(load_config(options.name), options.set);
   if (options.shading) {
     const AreaReport report = measure_shading(options.name, config, area_options(options));
@@ -170,7 +170,7 @@ void add_area(CLI::App& app, Run& run) {
   command->add_flag("--check", options->check,
                     "The figures against tests/baselines/area.json and area_slow.json; exit 1 when worse");
   command->add_flag("--keep", options->keep, "Write the figures to these files");
-  command->add_flag("--quick", options->quick, "Of the figures: without texture units and flat netlists")
+  command->add_flag("--quick", options->quick, "The figures without texture units and flat netlists")
       ->excludes("--keep");
   add_json_option(*command, options->json);
   command->callback([options, &run] { run = [options] { return area(*options); }; });

@@ -2,7 +2,7 @@
 // A vector to unit length from truncated squares and products; zero stays zero, n(-v) = -n(v). KIND 2, compact: each
 // component off by less than 1 ulp, exact on the axes. 3, lite: the direction alone, the length within 3 %. 4, near: as
 // compact, for lengths of 1/2 to 1, where the shift is not needed. Latency 5; with PIPELINED 2 two, after the sum of
-// squares and after the root; with PIPELINED 0 none.
+// squares and after the root.
 // Sign and magnitude: the magnitudes are shifted up together by the leading zeros of their OR; S is the sum of their
 // squares, r = 1/sqrt of its leading bits, each component m * r. The one value -2^(V+1) saturates. Does not compute
 // what the kind `faithful` does: an ulp may differ. [docs/architecture.md, golden/pixel/compact_geometry.h]
@@ -25,8 +25,7 @@ module wrinkle_compact_normalizer #(
   localparam PAD   = V < F ? F - V : 0;
   localparam WIDER = V > F ? V - F : 0;
   localparam P     = V + 1 + PAD;
-  localparam ALL   = PIPELINED == 1 ? 1 : 0;  // every rank
-  localparam SOME  = PIPELINED != 0 ? 1 : 0;  // the sum of squares, the root
+  localparam ALL   = PIPELINED == 1 ? 1 : 0;  // every rank, not two alone
 
   // The geometry: compact_geometry() of golden/pixel/compact_geometry.h.
   localparam INPUT_BITS   = LITE != 0 ? 7 : F < 10 ? F + 3 : F + 4;
@@ -96,7 +95,7 @@ module wrinkle_compact_normalizer #(
   wrinkle_cut_squares #(
     .BITS(SQUARE_BITS), .CUT(SQUARE_CUT), .CONSTANT(SQUARE_CONSTANT[2*SQUARE_BITS+1:0])
   ) squares (.m_i(leading), .sum_o(s1));
-  wrinkle_delay #(.WIDTH(2*SQUARE_BITS + 2), .RANKS(SOME)) rank2 (
+  wrinkle_delay #(.WIDTH(2*SQUARE_BITS + 2), .RANKS(1)) rank2 (
     .clk(clk), .advance_i(advance_i), .data_i(s1), .data_o(s2));
 
   // Ranks 3 and 4: the reciprocal root of its leading bits.
@@ -113,9 +112,9 @@ module wrinkle_compact_normalizer #(
   ) rsqrt (.clk(clk), .advance_i(advance_i), .t_i(t), .halve_i(halve), .r_o(r4));
 
   // Beside them: magnitudes and signs.
-  wrinkle_delay #(.WIDTH(3*P), .RANKS(ALL + 2*SOME)) carry_magnitudes (
+  wrinkle_delay #(.WIDTH(3*P), .RANKS(ALL + 2)) carry_magnitudes (
     .clk(clk), .advance_i(advance_i), .data_i(m1), .data_o(m4));
-  wrinkle_delay #(.WIDTH(4), .RANKS(2*ALL + 2*SOME)) carry_signs (
+  wrinkle_delay #(.WIDTH(4), .RANKS(2*ALL + 2)) carry_signs (
     .clk(clk), .advance_i(advance_i), .data_i({zero0, negative0}), .data_o({zero4, negative4}));
 
   // Rank 5: the products, rounded.

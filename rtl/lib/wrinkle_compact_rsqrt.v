@@ -1,8 +1,8 @@
 `default_nettype none
 // Reciprocal square root, r = 1/sqrt(t) in u1.RB for t in [1/4, 1), of which T holds the leading SB + 1 bits; halved,
 // rounded down, where halve_i is set. A table of 2 * 2^K linear segments, filled by the formula of
-// golden/pixel/compact_rsqrt.h, which is not that of `faithful`. Latency 2; 1 with PIPELINED 2, 0 with
-// PIPELINED 0. Does not handle t < 1/4.
+// golden/pixel/compact_rsqrt.h, which is not that of `faithful`. Latency 2, or 1 with PIPELINED 2. Does not
+// handle t < 1/4.
 module wrinkle_compact_rsqrt #(
   parameter INPUT_BITS      = 11,  // SB + 1
   parameter OUTPUT_BITS     = 10,  // RB
@@ -111,7 +111,7 @@ module wrinkle_compact_rsqrt #(
   endgenerate
 
   assign r1 = halve1 ? {1'b0, r[OUTPUT_BITS:1]} : r;
-  wrinkle_delay #(.WIDTH(OUTPUT_BITS + 1), .RANKS(PIPELINED != 0 ? 1 : 0)) interpolated (
+  wrinkle_delay #(.WIDTH(OUTPUT_BITS + 1), .RANKS(1)) interpolated (
     .clk(clk), .advance_i(advance_i), .data_i(r1), .data_o(r_o));
 endmodule
 `default_nettype wire

@@ -1,11 +1,10 @@
 `default_nettype none
 // A vector that is normalized after its dot products: mantissa, of the F leading bits of each shifted magnitude, and
-// scale, the reciprocal of the mantissa's length. Zero has a mantissa of zero and a scale as any other. Latency 4, or 0
-// with PIPELINED 0. [docs/architecture.md]
+// scale, the reciprocal of the mantissa's length. Zero has a mantissa of zero and a scale as any other. Latency 4.
+// [docs/architecture.md]
 module wrinkle_deferred_vector #(
   parameter VECTOR_BITS = 9,  // V
   parameter UNIT_BITS   = 9,  // F
-  parameter PIPELINED   = 1,
   parameter SCALE_BITS  = UNIT_BITS == 15 ? 17 : UNIT_BITS + 1  // RB, of the above
 ) (
   input  wire                         clk,
@@ -24,7 +23,7 @@ module wrinkle_deferred_vector #(
   wire                halve;
 
   wrinkle_reciprocal_length #(
-    .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .MANTISSA_BITS(M), .COMPLEMENT(1), .PIPELINED(PIPELINED),
+    .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .MANTISSA_BITS(M), .COMPLEMENT(1),
     .OUTPUT_BITS(SCALE_BITS)
   ) reciprocal_length (
     .clk(clk), .advance_i(advance_i), .vector_i(vector_i), .m_o(m), .negative_o(negative), .r_o(r), .halve_o(halve),

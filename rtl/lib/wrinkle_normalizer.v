@@ -1,7 +1,7 @@
 `default_nettype none
 // A vector to unit length, faithfully rounded (< 1 ulp), odd-symmetric, exact on the axes; zero stays zero. Each
 // component is the product of mantissa and reciprocal length by wrinkle_reciprocal_length, rounded, with its sign put
-// back. Latency 5; 2 with PIPELINED 2, 0 with PIPELINED 0. [docs/architecture.md, golden/pixel/rsqrt.h]
+// back. Latency 5, or 2 with PIPELINED 2. [docs/architecture.md, golden/pixel/rsqrt.h]
 module wrinkle_normalizer #(
   parameter VECTOR_BITS = 9,  // V
   parameter UNIT_BITS   = 9,  // F

@@ -4,7 +4,7 @@
 // squares of these, r = 1/sqrt of its leading bits, brought to [1/4, 1); then m_i * r, halved where `halve`, is a
 // component of the unit vector. With COMPLEMENT 1 the sign is put back into m. The one value -2^(V+1) has no magnitude
 // in V + 1 bits and saturates. Of zero, m is zero and r that of t = 1/4. Latency 4; with PIPELINED 2 two, after the sum
-// of squares and after the root; with PIPELINED 0 none. [docs/architecture.md, golden/pixel/rsqrt.h]
+// of squares and after the root. [docs/architecture.md, golden/pixel/rsqrt.h]
 module wrinkle_reciprocal_length #(
   parameter VECTOR_BITS   = 9,   // V
   parameter UNIT_BITS     = 9,   // F
@@ -27,8 +27,7 @@ module wrinkle_reciprocal_length #(
   localparam P      = VECTOR_BITS + 1;
   localparam M      = MANTISSA_BITS;
   localparam S_BITS = 2 * M + 2;
-  localparam ALL    = PIPELINED == 1 ? 1 : 0;  // every rank
-  localparam SOME   = PIPELINED != 0 ? 1 : 0;  // the sum of squares, the root
+  localparam ALL    = PIPELINED == 1 ? 1 : 0;  // every rank, not two alone
 
   // The geometry of the table: kRsqrtGeometry of golden/pixel/rsqrt.h.
   localparam INPUT_BITS   = F == 6 ? 8 : F == 7 ? 9 : F == 8 ? 10 : F < 15 ? F + 3 : 19;
@@ -66,7 +65,7 @@ module wrinkle_reciprocal_length #(
   wire [S_BITS-1:0] s1, s2;
 
   wrinkle_sum_of_squares #(.BITS(M)) squares (.m_i(m1), .sum_o(s1));
-  wrinkle_delay #(.WIDTH(S_BITS), .RANKS(SOME)) sum2 (
+  wrinkle_delay #(.WIDTH(S_BITS), .RANKS(1)) sum2 (
     .clk(clk), .advance_i(advance_i), .data_i(s1), .data_o(s2));
 
   // Ranks 3 and 4: the reciprocal root of its leading bits.
@@ -93,9 +92,9 @@ module wrinkle_reciprocal_length #(
 
   wrinkle_delay #(.WIDTH(3*M + 4), .RANKS(ALL)) rank1 (
     .clk(clk), .advance_i(advance_i), .data_i({~|any, negative, m0}), .data_o({zero1, negative1, m1}));
-  wrinkle_delay #(.WIDTH(3*M + 4), .RANKS(ALL + 2*SOME)) carry4 (
+  wrinkle_delay #(.WIDTH(3*M + 4), .RANKS(ALL + 2)) carry4 (
     .clk(clk), .advance_i(advance_i), .data_i({zero1, negative2, m2}), .data_o({zero_o, negative_o, m_o}));
-  wrinkle_delay #(.WIDTH(1), .RANKS(ALL + SOME)) exponent4 (
+  wrinkle_delay #(.WIDTH(1), .RANKS(ALL + 1)) exponent4 (
     .clk(clk), .advance_i(advance_i), .data_i(e2), .data_o(halve_o));
 endmodule
 `default_nettype wire

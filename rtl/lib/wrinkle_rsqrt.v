@@ -1,9 +1,8 @@
 `default_nettype none
 // Reciprocal square root, r = 1/sqrt(t) in u1.RB for t in [1/4, 1), of which T holds the leading SB bits.
 // A table of 2 * 2^K linear segments, filled by the formula of golden/pixel/rsqrt.h, where the geometry for each F and
-// the proof that a vector scaled by r is faithful to F bits are given. Latency 2; 1 with
-// PIPELINED 2, 0 with PIPELINED 0. T < 2^(SB-2) stands for itself plus 2^(SB-2): the leading one of the range is not
-// looked at.
+// the proof that a vector scaled by r is faithful to F bits are given. Latency 2, or 1 with
+// PIPELINED 2. T < 2^(SB-2) stands for itself plus 2^(SB-2): the leading one of the range is not looked at.
 module wrinkle_rsqrt #(
   parameter INPUT_BITS  = 10,  // SB
   parameter OUTPUT_BITS = 9,   // RB
@@ -85,7 +84,7 @@ module wrinkle_rsqrt #(
     .BASE_BITS(BASE_BITS), .SLOPE_BITS(SLOPE_BITS), .N(N), .GUARD(GUARD_BITS), .RESULT_BITS(OUTPUT_BITS + 1)
   ) interpolate (
     .base_i(segment1[BASE_BITS-1:0]), .slope_i(segment1[BASE_BITS +: SLOPE_BITS]), .dx_i(dx1), .result_o(r));
-  wrinkle_delay #(.WIDTH(OUTPUT_BITS + 1), .RANKS(PIPELINED != 0 ? 1 : 0)) rank2 (
+  wrinkle_delay #(.WIDTH(OUTPUT_BITS + 1), .RANKS(1)) rank2 (
     .clk(clk), .advance_i(advance_i), .data_i(r), .data_o(r_o));
 endmodule
 `default_nettype wire
