@@ -1,8 +1,8 @@
 #include "sim/report/collect.h"
 
+#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -37,24 +37,8 @@ json choices(const Config& config) {
   return result;
 }
 
-std::string base64(const std::string& bytes) {
-  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= n ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 std::string data_uri(const Picture& picture) {
-  const fs::path path = fs::temp_directory_path() / fmt::format("wrinkle-{}.png", getpid());
-  write_picture(path, picture);
-  const std::string uri = "data:image/png;base64," + base64(read_text(path));
-  fs::remove(path);
-  return uri;
+  return "data:image/png;base64," + OIIO::Strutil::base64_encode(encode_png(picture));
 }
 
 // "Fig. 6" for patch_fig6; other scenes by their names.
