@@ -20,7 +20,7 @@ const std::map<std::string, fs::path>& all_modules() {
   static const std::map<std::string, fs::path> modules = [] {
     std::map<std::string, fs::path> found;
     const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
-    for (const fs::path& folder : {rtl, rtl / "lib"}) {
+    for (const fs::path& folder : {rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}) {
       for (const auto& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() == ".v") found[entry.path().stem()] = entry.path();
       }

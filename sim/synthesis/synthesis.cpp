@@ -254,7 +254,8 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
                            const SynthesisOptions& options, const SynthesisProgress& progress) {
   Job job{top, parameters, library, options, options.sources, {}};
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
-  if (job.sources.empty()) job.sources = verilog_files({rtl, rtl / "lib"}, ".v");
+  if (job.sources.empty())
+    job.sources = verilog_files({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
   for (fs::path& source : job.sources) source = fs::absolute(source);
 
   const fs::path cache = cache_folder(options);

@@ -30,7 +30,7 @@ struct SynthesisOptions {
   bool registers = true;
   // iCE40: place and route, on an UP5K, between shift registers that stand in for pins.
   bool place_and_route = false;
-  // Verilog files; empty: rtl/*.v and rtl/lib/*.v of this project.
+  // Verilog files; empty: those of rtl/ and its folders in this project.
   std::vector<std::filesystem::path> sources;
   // Where results are kept; empty: $WRINKLE_CACHE/synthesis, else `synthesis` in the build directory.
   std::filesystem::path cache;

@@ -9,6 +9,13 @@ filter=${1:-}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
+libraries="" sources=""
+for folder in rtl rtl/stage rtl/perturb rtl/unit rtl/lib; do
+  libraries="$libraries -y $root/$folder"
+  if ls "$root/$folder"/*.v >/dev/null 2>&1; then sources="$sources $root/$folder/*.v"; fi
+done
+file_of() { ls "$root"/rtl/"$1.v" "$root"/rtl/*/"$1.v" 2>/dev/null; }
+
 stages="packet scan interpolate perspective texture perturb normalize light output"
 
 # check NAME COMMAND...: passes when the command succeeds and prints nothing.
@@ -45,7 +52,7 @@ verilator_lint() { # TOP [NAME=VALUE...]
   for setting in "$@"; do flags="$flags -G$setting"; done
   # shellcheck disable=SC2086
   verilator --lint-only -Wall --default-language 1364-2005 --top-module "$top" $flags \
-    -y "$root/rtl" -y "$root/rtl/lib" "$root/rtl/$top.v"
+    $libraries "$(file_of "$top")"
 }
 
 icarus_lint() {
@@ -54,7 +61,7 @@ icarus_lint() {
   flags=""
   for setting in "$@"; do flags="$flags -P$top.$setting"; done
   # shellcheck disable=SC2086
-  iverilog -g2005 -Wall -s "$top" $flags -y "$root/rtl" -y "$root/rtl/lib" -o /dev/null "$root/rtl/$top.v"
+  iverilog -g2005 -Wall -s "$top" $flags $libraries -o /dev/null "$(file_of "$top")"
 }
 
 yosys_run() { # SCRIPT TOP [NAME=VALUE...]
@@ -63,7 +70,7 @@ yosys_run() { # SCRIPT TOP [NAME=VALUE...]
   shift 2
   flags=""
   for setting in "$@"; do flags="$flags -set ${setting%%=*} ${setting#*=}"; done
-  read="read_verilog -defer $root/rtl/*.v $root/rtl/lib/*.v"
+  read="read_verilog -defer $sources"
   yosys -q -e . -p "$read; ${flags:+chparam $flags $top;} hierarchy -check -top $top; $script"
 }
 
