@@ -122,55 +122,61 @@
   // q, level of detail, z, and the level of detail that is held. Each has a number of elements, the bits of one, whether
   // it is held over a triangle, and the stage that reads it first: 1 perspective, 2 texture, 3 perturb, 4 normalize,
   // 5 light, 6 output. The last comes first here.
+  localparam LOD_HELD_ELEMENTS = LOD_HELD != 0 ? 1 : 0;
+  localparam Z_ELEMENTS = Z != 0 ? 1 : 0;
+  localparam LOD_PLANE_ELEMENTS = LOD_PLANE != 0 ? 1 : 0;
+  localparam Q_ELEMENTS = Q != 0 ? 1 : 0;
+  localparam H_VECTOR_ELEMENTS = H_VECTOR != 0 ? 3 : 0;
+  localparam L_VECTOR_ELEMENTS = L_VECTOR != 0 ? 3 : 0;
   localparam FIELDS = 11;
   localparam [32*FIELDS-1:0] FIELD_ELEMENTS = {
-    32'd0 + (LOD_HELD != 0 ? 1 : 0),
-    32'd0 + (Z != 0 ? 1 : 0),
-    32'd0 + (LOD_PLANE != 0 ? 1 : 0),
-    32'd0 + (Q != 0 ? 1 : 0),
-    32'd0 + TEXTURED,
-    32'd0 + TEXTURED,
-    32'd0 + (H_VECTOR != 0 ? 3 : 0),
-    32'd0 + (L_VECTOR != 0 ? 3 : 0),
-    32'd0 + FRAME_2_ELEMENTS,
-    32'd0 + FRAME_1_ELEMENTS,
-    32'd0 + FRAME_0_ELEMENTS};
+    32'd0 | LOD_HELD_ELEMENTS[31:0],
+    32'd0 | Z_ELEMENTS[31:0],
+    32'd0 | LOD_PLANE_ELEMENTS[31:0],
+    32'd0 | Q_ELEMENTS[31:0],
+    32'd0 | TEXTURED[31:0],
+    32'd0 | TEXTURED[31:0],
+    32'd0 | H_VECTOR_ELEMENTS[31:0],
+    32'd0 | L_VECTOR_ELEMENTS[31:0],
+    32'd0 | FRAME_2_ELEMENTS[31:0],
+    32'd0 | FRAME_1_ELEMENTS[31:0],
+    32'd0 | FRAME_0_ELEMENTS[31:0]};
   localparam [32*FIELDS-1:0] FIELD_WIDTHS = {
-    32'd0 + LOD_HELD,
-    32'd0 + Z,
-    32'd0 + LOD_PLANE,
-    32'd0 + Q,
-    32'd0 + UV,
-    32'd0 + UV,
-    32'd0 + LIGHT_WIDTH,
-    32'd0 + LIGHT_WIDTH,
-    32'd0 + FRAME_2_WIDTH,
-    32'd0 + FRAME_1_WIDTH,
-    32'd0 + FRAME_0_WIDTH};
+    32'd0 | LOD_HELD[31:0],
+    32'd0 | Z[31:0],
+    32'd0 | LOD_PLANE[31:0],
+    32'd0 | Q[31:0],
+    32'd0 | UV[31:0],
+    32'd0 | UV[31:0],
+    32'd0 | LIGHT_WIDTH[31:0],
+    32'd0 | LIGHT_WIDTH[31:0],
+    32'd0 | FRAME_2_WIDTH[31:0],
+    32'd0 | FRAME_1_WIDTH[31:0],
+    32'd0 | FRAME_0_WIDTH[31:0]};
   localparam [32*FIELDS-1:0] FIELD_HELD = {
-    32'd0 + 1,
-    32'd0 + 0,
-    32'd0 + 0,
-    32'd0 + 0,
-    32'd0 + 0,
-    32'd0 + 0,
-    32'd0 + 0,
-    32'd0 + 0,
-    32'd0 + FRAME_2_HELD,
-    32'd0 + FRAME_1_HELD,
-    32'd0 + FRAME_0_HELD};
+    32'd1,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0 | FRAME_2_HELD[31:0],
+    32'd0 | FRAME_1_HELD[31:0],
+    32'd0 | FRAME_0_HELD[31:0]};
   localparam [32*FIELDS-1:0] FIELD_READERS = {
-    32'd0 + 2,
-    32'd0 + 6,
-    32'd0 + 2,
-    32'd0 + 1,
-    32'd0 + 1,
-    32'd0 + 1,
-    32'd0 + 4,
-    32'd0 + 4,
-    32'd0 + 3,
-    32'd0 + 3,
-    32'd0 + 3};
+    32'd2,
+    32'd6,
+    32'd2,
+    32'd1,
+    32'd1,
+    32'd1,
+    32'd4,
+    32'd4,
+    32'd3,
+    32'd3,
+    32'd3};
 `endif
 
 `ifdef WRINKLE_SECTION_RULES
@@ -320,23 +326,23 @@
     if (DATAPATH == 0) begin : phong
       wrinkle_perturb_phong #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
         .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
-        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(perturb_carry), .out_valid_o(perturb_valid),
-        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(normalize_values), .busy_o(perturb_busy));
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
     end else if (DATAPATH == 1) begin : normal_map
       wrinkle_perturb_normal_map #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
         .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
-        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(perturb_carry), .out_valid_o(perturb_valid),
-        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(normalize_values), .busy_o(perturb_busy));
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
     end else if (DATAPATH == 2) begin : blinn
       wrinkle_perturb_blinn #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
         .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
-        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(perturb_carry), .out_valid_o(perturb_valid),
-        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(normalize_values), .busy_o(perturb_busy));
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
     end else if (DATAPATH == 3) begin : rotated
       wrinkle_perturb_rotated #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
         .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
-        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(perturb_carry), .out_valid_o(perturb_valid),
-        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(normalize_values), .busy_o(perturb_busy));
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
     end
   endgenerate
 `endif

@@ -1,35 +1,30 @@
 `default_nettype none
 // N, L and H for dot products that are scaled after: each by its own wrinkle_deferred_vector. Latency 4.
 module wrinkle_deferred_units #(
-  parameter DATAPATH    = 1,   // not rotated
-  parameter LIGHTING    = 1,   // diffuse or halfangle
-  parameter VECTOR_BITS = 9,   // V
-  parameter WIDE_BITS   = 16,  // VW
-  parameter UNIT_BITS   = 9,   // F
-  parameter TAG_BITS    = 36,  // what is carried beside
-  // Of the above: bits of N', of H, of a scale, number of vectors.
-  parameter BUMPED  = DATAPATH == 2 ? 3*(WIDE_BITS+3) : 3*(VECTOR_BITS+2),
-  parameter HVEC    = LIGHTING != 0 ? 3*(VECTOR_BITS+2) : 1,
-  parameter SCALE   = UNIT_BITS == 15 ? 18 : UNIT_BITS + 2,
-  parameter VECTORS = LIGHTING != 0 ? 3 : 2
+  parameter GLOSSY            = 1,   // H is there
+  parameter NORMAL_INPUT_BITS = 9,
+  parameter VECTOR_BITS       = 9,   // V
+  parameter UNIT_BITS         = 9,   // F
+  parameter SCALE             = 11,  // bits of a scale
+  parameter CARRY             = 36
 ) (
-  input  wire                       clk,
-  input  wire                       rst,
-  input  wire                       in_valid_i,
-  output wire                       in_ready_o,
-  input  wire [BUMPED-1:0]          n_i,      // s1.V, with DATAPATH blinn s2.VW
-  input  wire [3*(VECTOR_BITS+2)-1:0] l_i,    // s1.V
-  input  wire [HVEC-1:0]            h_i,
-  input  wire [TAG_BITS-1:0]        tag_i,
-  output wire                       out_valid_o,
-  input  wire                       out_ready_i,
-  output wire [3*(UNIT_BITS+1)-1:0] n_o,      // mantissas, s0.F
-  output wire [3*(UNIT_BITS+1)-1:0] l_o,
-  output wire [(LIGHTING != 0 ? 3*(UNIT_BITS+1) : 1)-1:0] h_o,
-  output wire [VECTORS*SCALE-1:0]   scale_o,  // u1.RB each, of N in the low bits
-  output wire                       zero_o,   // one of them was zero
-  output wire [TAG_BITS-1:0]        tag_o,
-  output wire                       busy_o
+  input  wire                               clk,
+  input  wire                               rst,
+  input  wire                               in_valid_i,
+  output wire                               in_ready_o,
+  input  wire [3*(NORMAL_INPUT_BITS+2)-1:0] n_i,      // s1.NORMAL_INPUT_BITS
+  input  wire [3*(VECTOR_BITS+2)-1:0]       l_i,      // s1.V
+  input  wire [(GLOSSY != 0 ? 3*(VECTOR_BITS+2) : 1)-1:0] h_i,
+  input  wire [CARRY-1:0]                   carry_i,
+  output wire                               out_valid_o,
+  input  wire                               out_ready_i,
+  output wire [3*(UNIT_BITS+1)-1:0]         n_o,      // mantissas, s0.F
+  output wire [3*(UNIT_BITS+1)-1:0]         l_o,
+  output wire [(GLOSSY != 0 ? 3*(UNIT_BITS+1) : 1)-1:0] h_o,
+  output wire [(GLOSSY + 2)*SCALE-1:0]      scale_o,  // u1.RB each, of N in the low bits
+  output wire                               zero_o,   // one of them was zero
+  output wire [CARRY-1:0]                   carry_o,
+  output wire                               busy_o
 );
   wire advance, zero_n, zero_l, zero_h;
 
@@ -38,19 +33,18 @@ module wrinkle_deferred_units #(
   wrinkle_pipe #(.RANKS(4)) pipe (
     .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .advance_o(advance), .out_valid_o(out_valid_o),
     .out_ready_i(out_ready_i), .busy_o(busy_o));
-  wrinkle_delay #(.WIDTH(TAG_BITS), .RANKS(4)) delay_tag (
-    .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
+  wrinkle_carry #(.BITS(CARRY), .RANKS(4)) carry (
+    .clk(clk), .advance_i(advance), .push_i(1'b0), .write_i(1'b0), .read_i(1'b0), .late_advance_i(1'b0),
+    .data_i(carry_i), .data_o(carry_o));
 
-  wrinkle_deferred_vector #(
-    .VECTOR_BITS(DATAPATH == 2 ? WIDE_BITS + 1 : VECTOR_BITS), .UNIT_BITS(UNIT_BITS)
-  ) vector_n (
+  wrinkle_deferred_vector #(.VECTOR_BITS(NORMAL_INPUT_BITS), .UNIT_BITS(UNIT_BITS), .SCALE_BITS(SCALE - 1)) vector_n (
     .clk(clk), .advance_i(advance), .vector_i(n_i), .mantissa_o(n_o), .scale_o(scale_o[0 +: SCALE]), .zero_o(zero_n));
-  wrinkle_deferred_vector #(.VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS)) vector_l (
+  wrinkle_deferred_vector #(.VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .SCALE_BITS(SCALE - 1)) vector_l (
     .clk(clk), .advance_i(advance), .vector_i(l_i), .mantissa_o(l_o), .scale_o(scale_o[SCALE +: SCALE]),
     .zero_o(zero_l));
   generate
-    if (LIGHTING != 0) begin : glossy
-      wrinkle_deferred_vector #(.VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS)) vector_h (
+    if (GLOSSY != 0) begin : glossy
+      wrinkle_deferred_vector #(.VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .SCALE_BITS(SCALE - 1)) vector_h (
         .clk(clk), .advance_i(advance), .vector_i(h_i), .mantissa_o(h_o), .scale_o(scale_o[2*SCALE +: SCALE]),
         .zero_o(zero_h));
     end else begin : diffuse

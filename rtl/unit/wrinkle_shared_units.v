@@ -9,7 +9,7 @@ module wrinkle_shared_units #(
   parameter NORMALIZER  = 1,   // not none
   parameter VECTOR_BITS = 9,   // V
   parameter UNIT_BITS   = 9,   // F
-  parameter TAG_BITS    = 36   // what is carried beside
+  parameter CARRY    = 36   // what is carried beside
 ) (
   input  wire                         clk,
   input  wire                         rst,
@@ -18,14 +18,14 @@ module wrinkle_shared_units #(
   input  wire [3*(VECTOR_BITS+2)-1:0] n_i,          // s1.V, x in the low bits
   input  wire [3*(VECTOR_BITS+2)-1:0] l_i,
   input  wire [3*(VECTOR_BITS+2)-1:0] h_i,
-  input  wire [TAG_BITS-1:0]          tag_i,
+  input  wire [CARRY-1:0]          carry_i,
   output wire                         out_valid_o,
   input  wire                         out_ready_i,
   output wire [3*(UNIT_BITS+2)-1:0]   n_o,          // s1.F
   output wire [3*(UNIT_BITS+2)-1:0]   l_o,
   output wire [3*(UNIT_BITS+2)-1:0]   h_o,
   output wire                         zero_o,       // one of them was zero
-  output wire [TAG_BITS-1:0]          tag_o,
+  output wire [CARRY-1:0]          carry_o,
   output wire                         busy_o
 );
   localparam UNIT = 3 * (UNIT_BITS + 2);
@@ -44,7 +44,7 @@ module wrinkle_shared_units #(
 
   reg [UNIT-1:0]     n_q, l_q, h_q;
   reg                zero_q;
-  reg [TAG_BITS-1:0] tag_q;
+  reg [CARRY-1:0] tag_q;
 
   assign in_ready_o  = take;
   assign out_valid_o = full_q;
@@ -52,7 +52,7 @@ module wrinkle_shared_units #(
   assign l_o         = l_q;
   assign h_o         = h_q;
   assign zero_o      = zero_q;
-  assign tag_o       = tag_q;
+  assign carry_o       = tag_q;
   assign busy_o      = in_l_q | in_n_q | out_l_q | out_n_q | full_q;
 
   always @(posedge clk)
@@ -66,7 +66,7 @@ module wrinkle_shared_units #(
     end
 
   always @(posedge clk) begin
-    if (take) {h_q, tag_q} <= {unit, tag_i};
+    if (take) {h_q, tag_q} <= {unit, carry_i};
     if (out_l_q) l_q <= unit;
     if (out_n_q) n_q <= unit;
     if (take | out_l_q | out_n_q) zero_q <= zero | (zero_q & ~take);

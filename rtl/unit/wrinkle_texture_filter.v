@@ -1,44 +1,45 @@
 `default_nettype none
-// Filters every component of the texels, then rounds: normals to s1.V, gradients fu, fv to s0.GB, decal to u0.T.
-//   normal = round_half_up(2f - (2^T - d) 2^D, D + T - V), d = 1 range, 0 offset;  decal = round_half_up(f, D)
-//   gradient = saturate(round_half_up(f - 2^(T-1+D), D + T - 1 - GB))
-// |normal| is at most 2^V and decal at most 2^T - 1, so neither can leave its format and only the gradient saturates.
-// Latency FILTER + 2. Without texels (`textured_i` off) the normal or gradient is 0 and the decal white.
+// Filters every component of the texels to f in uT.D, then decodes: the components of the bump map, the first ones, to
+// BUMP_FRACTION bits, those of the decal to u0.T.
+//   bump = round_half_up(2f - BUMP_OFFSET 2^D, D + T - BUMP_FRACTION), with BUMP_SATURATES to BUMP_WIDTH bits
+//   decal = round_half_up(f, D)
+// A bump is at most 1 and a decal at most 2^T - 1, so that only a bump without an integer bit can leave its format.
+// Latency FILTER + 2. Without texels (`textured_i` off) the bump is 0 and the decal white.
 module wrinkle_texture_filter #(
-  parameter DATAPATH    = 1,
-  parameter FILTER      = 2,
-  parameter DECODE      = 0,
-  parameter DECAL       = 0,
-  parameter VECTOR_BITS = 9,
-  parameter GRADIENT_BITS = 9,
-  parameter LOD_BITS    = 5,  // LB, 0 unless trilinear
-  parameter WEIGHT_BITS = 8,  // B, 0 with nearest
-  parameter TEXEL_BITS  = 8,
-  parameter TEXELS = (DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : 0) + 3*DECAL  // of the above: components of a texel
+  parameter BUMP_COMPONENTS = 3,
+  parameter BUMP_WIDTH      = 11,
+  parameter BUMP_FRACTION   = 9,
+  parameter BUMP_OFFSET     = 255,
+  parameter BUMP_SATURATES  = 0,
+  parameter COLOURS         = 0,
+  parameter FILTER          = 2,
+  parameter LOD_BITS        = 5,  // LB, 0 unless trilinear
+  parameter WEIGHT_BITS     = 8,  // B, 0 with nearest
+  parameter TEXEL_BITS      = 8   // T
 ) (
   input  wire clk,
   input  wire advance_i,
   input  wire textured_i,
   input  wire [(FILTER == 2 ? 4 : 2)*(WEIGHT_BITS > 0 ? WEIGHT_BITS : 1)+(LOD_BITS > 0 ? LOD_BITS : 1)-1:0] weights_i,
-  input  wire [TEXELS*TEXEL_BITS-1:0]                    a00_i,
-  input  wire [(FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] a10_i,
-  input  wire [(FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] a01_i,
-  input  wire [(FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] a11_i,
-  input  wire [(FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] b00_i,
-  input  wire [(FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] b10_i,
-  input  wire [(FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] b01_i,
-  input  wire [(FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] b11_i,
-  output wire [(DATAPATH == 1 ? 3*(VECTOR_BITS+2) : 1)-1:0]               n_o,
-  output wire [(DATAPATH == 2 ? 2*(GRADIENT_BITS+1) : 1)-1:0]             gradient_o,
-  output wire [(DECAL != 0 ? 3*TEXEL_BITS : 1)-1:0]                       decal_o
+  input  wire [(BUMP_COMPONENTS + COLOURS)*TEXEL_BITS-1:0]                    a00_i,
+  input  wire [(FILTER > 0 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] a10_i,
+  input  wire [(FILTER > 0 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] a01_i,
+  input  wire [(FILTER > 0 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] a11_i,
+  input  wire [(FILTER > 1 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] b00_i,
+  input  wire [(FILTER > 1 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] b10_i,
+  input  wire [(FILTER > 1 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] b01_i,
+  input  wire [(FILTER > 1 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] b11_i,
+  output wire [(BUMP_COMPONENTS != 0 ? BUMP_COMPONENTS*BUMP_WIDTH : 1)-1:0] bump_o,
+  output wire [(COLOURS != 0 ? COLOURS*TEXEL_BITS : 1)-1:0]                decal_o
 );
   localparam T  = TEXEL_BITS;
-  localparam W  = VECTOR_BITS + 2;
+  localparam W  = BUMP_WIDTH;
+  localparam TEXELS = BUMP_COMPONENTS + COLOURS;
   localparam BW = WEIGHT_BITS > 0 ? WEIGHT_BITS : 1;
   localparam LW = LOD_BITS > 0 ? LOD_BITS : 1;
   localparam LEVELS = FILTER == 2 ? 2 : 1;
   localparam D = 2 * WEIGHT_BITS + LOD_BITS;
-  localparam DECAL_AT = TEXELS - 3 * DECAL;  // first component of the decal
+  localparam [31:0] OFFSET = BUMP_OFFSET;
 
   // Weights by rank: x at once, y one rank later, level two ranks later.
   wire [2*BW-1:0] weights_x, weights_y_early, weights_y;
@@ -86,46 +87,40 @@ module wrinkle_texture_filter #(
         .clk(clk), .advance_i(advance_i), .a_i(quad_a), .b_i(quad_b), .weights_x_i(weights_x),
         .weights_y_i(weights_y), .weight_level_i(weight_level), .value_o(f));
 
-      if (k < DECAL_AT && DATAPATH == 1) begin : normal
-        localparam [T+D+1:0] OFFSET = (({{(T + D + 1){1'b0}}, 1'b1} << T) - (DECODE != 0 ? 0 : 1)) << D;
-        wire signed [T+D+1:0] decoded = {1'b0, f, 1'b0} - OFFSET;
-        wire signed [W-1:0]   rounded;
-        reg [W-1:0]           n_q;
-        wrinkle_round_half_up #(.VALUE_BITS(T + D + 2), .SHIFT(D + T - VECTOR_BITS), .RESULT_BITS(W)) round (
-          .value_i(decoded), .result_o(rounded));
-        assign n_o[k*W +: W] = n_q;
-        always @(posedge clk) if (advance_i) n_q <= textured_i ? rounded : {W{1'b0}};
-      end else if (k < DECAL_AT) begin : gradient
-        localparam GB = GRADIENT_BITS;
-        localparam ROUNDED = (T + D > GB ? T + D : GB) + 3;
-        wire signed [T+D:0]       centred = {1'b0, f} - ({{(T + D){1'b0}}, 1'b1} << (T + D - 1));
+      if (k < BUMP_COMPONENTS) begin : bump
+        localparam [T+D+1:0] CODE_OFFSET = {{(D + 1){1'b0}}, OFFSET[T:0]} << D;
+        localparam EXACT   = T + D > BUMP_FRACTION ? T + D : BUMP_FRACTION;
+        localparam ROUNDED = BUMP_SATURATES != 0 ? EXACT + 3 : W;
+        wire signed [T+D+1:0]     decoded = {1'b0, f, 1'b0} - CODE_OFFSET;
         wire signed [ROUNDED-1:0] rounded;
-        wire [GB:0]               saturated;
-        reg [GB:0]                gradient_q;
-        wrinkle_round_half_up #(.VALUE_BITS(T + D + 1), .SHIFT(D + T - 1 - GB), .RESULT_BITS(ROUNDED)) round (
-          .value_i(centred), .result_o(rounded));
-        wrinkle_saturate #(
-          .VALUE_BITS(ROUNDED), .RESULT_BITS(GB + 1), .MINIMUM(-(1 << GB)), .MAXIMUM((1 << GB) - 1)
-        ) saturate (.value_i(rounded), .result_o(saturated));
-        assign gradient_o[k*(GB+1) +: GB+1] = gradient_q;
-        always @(posedge clk) if (advance_i) gradient_q <= textured_i ? saturated : {(GB + 1){1'b0}};
+        wire [W-1:0]              value;
+        reg [W-1:0]               bump_q;
+        wrinkle_round_half_up #(
+          .VALUE_BITS(T + D + 2), .SHIFT(D + T - BUMP_FRACTION), .RESULT_BITS(ROUNDED)
+        ) round (.value_i(decoded), .result_o(rounded));
+        if (BUMP_SATURATES != 0) begin : saturated
+          wrinkle_saturate #(
+            .VALUE_BITS(ROUNDED), .RESULT_BITS(W), .MINIMUM(-(1 << (W - 1))), .MAXIMUM((1 << (W - 1)) - 1)
+          ) saturate (.value_i(rounded), .result_o(value));
+        end else begin : as_rounded
+          assign value = rounded;
+        end
+        assign bump_o[k*W +: W] = bump_q;
+        always @(posedge clk) if (advance_i) bump_q <= textured_i ? value : {W{1'b0}};
       end else begin : colour
         wire signed [T:0] rounded;
         reg [T-1:0]       decal_q;
         wire unused_sign = rounded[T];
         wrinkle_round_half_up #(.VALUE_BITS(T + D + 1), .SHIFT(D), .RESULT_BITS(T + 1)) round (
           .value_i({1'b0, f}), .result_o(rounded));
-        assign decal_o[(k-DECAL_AT)*T +: T] = decal_q;
+        assign decal_o[(k-BUMP_COMPONENTS)*T +: T] = decal_q;
         always @(posedge clk) if (advance_i) decal_q <= textured_i ? rounded[T-1:0] : {T{1'b1}};
       end
     end
-    if (DATAPATH != 1) begin : no_normal
-      assign n_o = 1'b0;
+    if (BUMP_COMPONENTS == 0) begin : no_bump
+      assign bump_o = 1'b0;
     end
-    if (DATAPATH != 2) begin : no_gradient
-      assign gradient_o = 1'b0;
-    end
-    if (DECAL == 0) begin : no_decal
+    if (COLOURS == 0) begin : no_decal
       assign decal_o = 1'b0;
     end
   endgenerate

@@ -9,9 +9,9 @@ filter=${1:-}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-libraries="" sources=""
+libraries="" sources="" 
 for folder in rtl rtl/stage rtl/perturb rtl/unit rtl/lib; do
-  libraries="$libraries -y $root/$folder"
+  libraries="$libraries -y $root/$folder -I$root/$folder"
   if ls "$root/$folder"/*.v >/dev/null 2>&1; then sources="$sources $root/$folder/*.v"; fi
 done
 file_of() { ls "$root"/rtl/"$1.v" "$root"/rtl/*/"$1.v" 2>/dev/null; }
