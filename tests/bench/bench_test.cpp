@@ -199,7 +199,7 @@ TEST(Model, WaveformIsWrittenAroundADifference) {
   std::string text = read_text(file);
   const std::string from = ".data_i(colour)";
   ASSERT_NE(text.find(from), text.npos);
-  text.replace(text.find(from), from.size(), ".data_i(colour ^ (tag[3:0] == 9))");
+  text.replace(text.find(from), from.size(), ".data_i(colour ^ (carried[3:0] == 9))");
   std::ofstream(file) << text;
   BenchOptions options;
   options.model = {root, root / "cache", false, false};
