@@ -1,7 +1,8 @@
 `default_nettype none
 // The light stage with one dot product in turn: N.H as soon as `ahead_i` says that n_i and h_i stand, N.L in the clock
 // after, in which the fragment is valid and taken, and the power by SQUARERS = ceil(K/3) squarers in a row, used up to
-// three times. A fragment in three clocks. Latency 2 from the transfer; 3 with SELF_SHADOW, or where the squarers are used a third time.
+// three times. A fragment in three clocks. Latency 2 from the transfer; 3 with SELF_SHADOW, or where the squarers are
+// used a third time.
 module wrinkle_shared_light #(
   parameter SURFACE_IS_Z       = 1,
   parameter SELF_SHADOW        = 1,
