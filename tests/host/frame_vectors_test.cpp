@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "golden/datapath/datapaths.h"
 #include "golden/vertex/shading.h"
 #include "golden/vertex/teapot.h"
 #include "golden/vertex/tessellate.h"

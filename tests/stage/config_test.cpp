@@ -1,5 +1,5 @@
 // Configurations: the list of parameters, the rules, the width of a lane.
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 #include "tests/stage/support.h"
 
