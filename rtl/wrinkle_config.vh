@@ -2,29 +2,30 @@
 // `./wrinkle generate` from golden/config/*.def and golden/datapath/*.h; change those. The file is included once for each
 // of its sections, with the macro defined that selects it:
 //
-//   WRINKLE_PARAMETERS   in a parameter list: every parameter with its default
-//   WRINKLE_DERIVED      in a module: local parameters, which nobody can override
-//   WRINKLE_RULES        in a module: an illegal configuration stops the elaboration in every tool, by an instance of a
-//                        module that does not exist and whose name says the fault; a legal one leaves nothing
+//   WRINKLE_SECTION_PARAMETERS   in a parameter list: every parameter with its default and its range
+//   WRINKLE_SECTION_DERIVED      in a module: local parameters, which nobody can override
+//   WRINKLE_SECTION_RULES        in a module: an illegal configuration stops the elaboration in every tool, by an
+//                                instance of a module that does not exist and whose name says the fault
+//   WRINKLE_SECTION_PERTURB      in wrinkle_core: the perturb stage of the datapath
 
-`ifdef WRINKLE_PARAMETERS
-  parameter DATAPATH           = 1,  // phong|normal_map|blinn|rotated
-  parameter CROSS_PRODUCTS     = 0,  // interpolated|constant
-  parameter LIGHT_VECTORS      = 0,  // interpolated|constant
-  parameter LIGHTING           = 1,  // diffuse|halfangle|reflection|pixel_halfangle
-  parameter NORMALIZER_N       = 1,  // none|faithful|compact|lite|near
-  parameter NORMALIZER_L       = 1,  // none|faithful|compact|lite|near; normalizer of the light vector
-  parameter NORMALIZER_H       = 1,  // none|faithful|compact|lite|near; normalizer of the half-angle vector
-  parameter NORMALIZE_ORDER    = 0,  // before|after
-  parameter SHARING            = 0,  // off|on
-  parameter BUFFERING          = 0,  // double|single
-  parameter SELF_SHADOW        = 1,  // off|hard|smooth
-  parameter FILTER             = 2,  // nearest|bilinear|trilinear; texture filter
-  parameter DECODE             = 0,  // range|offset
-  parameter PERSPECTIVE        = 0,  // off|on
-  parameter DEPTH              = 1,  // off|on; z interpolated and put out
-  parameter DECAL              = 0,  // off|on; base colour in texel components 3 to 5
-  parameter CHANNELS           = 1,  // one|three; colour channels: grey | red, green, blue
+`ifdef WRINKLE_SECTION_PARAMETERS
+  parameter DATAPATH           = 1,  // 0 to 3: phong|normal_map|blinn|rotated
+  parameter CROSS_PRODUCTS     = 0,  // 0 to 1: interpolated|constant
+  parameter LIGHT_VECTORS      = 0,  // 0 to 1: interpolated|constant
+  parameter LIGHTING           = 1,  // 0 to 3: diffuse|halfangle|reflection|pixel_halfangle
+  parameter NORMALIZER_N       = 1,  // 0 to 4: none|faithful|compact|lite|near
+  parameter NORMALIZER_L       = 1,  // 0 to 4: none|faithful|compact|lite|near; normalizer of the light vector
+  parameter NORMALIZER_H       = 1,  // 0 to 4: none|faithful|compact|lite|near; normalizer of the half-angle vector
+  parameter NORMALIZE_ORDER    = 0,  // 0 to 1: before|after
+  parameter SHARING            = 0,  // 0 to 1: off|on
+  parameter BUFFERING          = 0,  // 0 to 1: double|single
+  parameter SELF_SHADOW        = 1,  // 0 to 2: off|hard|smooth
+  parameter FILTER             = 2,  // 0 to 2: nearest|bilinear|trilinear; texture filter
+  parameter DECODE             = 0,  // 0 to 1: range|offset
+  parameter PERSPECTIVE        = 0,  // 0 to 1: off|on
+  parameter DEPTH              = 1,  // 0 to 1: off|on; z interpolated and put out
+  parameter DECAL              = 0,  // 0 to 1: off|on; base colour in texel components 3 to 5
+  parameter CHANNELS           = 1,  // 0 to 1: one|three; colour channels: grey | red, green, blue
   parameter SCREEN_BITS        = 10, // 4 to 12; X: the screen is at most 2^X by 2^X pixels
   parameter SUBPIXEL_BITS      = 8,  // 2 to 8; S: vertices lie on a grid of 2^-S pixel
   parameter GUARD_BITS         = 10, // 2 to 14; G: extra fraction bits of every interpolator
@@ -47,40 +48,167 @@
   parameter TEXTURE_FIFO_BITS  = 4   // 1 to 8; fragments that may wait for texels: 2^bits
 `endif
 
-`ifdef WRINKLE_DERIVED
+`ifdef WRINKLE_SECTION_DERIVED
   // vectors interpolated in the place of N
   localparam FRAME_VECTORS = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 3 : 0;
   // bits of an element of such a vector, without guard bits
-  localparam FRAME_WIDTH = DATAPATH == 0 ? VECTOR_BITS + 2 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ? WIDE_BITS + 2 : 0;
+  localparam FRAME_WIDTH = DATAPATH == 0 ? VECTOR_BITS + 2 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ? WIDE_BITS
+    + 2 : 0;
   // how many of the vectors, the last ones, are held over a triangle
   localparam FRAME_HELD = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? (CROSS_PRODUCTS != 0 ? 2 : 0) : 0;
   // components of the bump map in a texel
-  localparam BUMP_ELEMENTS = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : 0;
+  localparam BUMP_COMPONENTS = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : 0;
   // bits of such a component when it is decoded
   localparam BUMP_WIDTH = DATAPATH == 0 ? 0 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ? GRADIENT_BITS + 1 : 0;
   // its fraction bits
-  localparam BUMP_BITS = DATAPATH == 0 ? 0 : DATAPATH == 1 ? VECTOR_BITS : DATAPATH == 2 ? GRADIENT_BITS : 0;
-  // code c stands for 2c - (2^T - 1), else for 2c - 2^T, in units of 2^-T
-  localparam BUMP_ODD = DATAPATH == 0 ? 0 : DATAPATH == 1 ? (DECODE == 0 ? 1 : 0) : DATAPATH == 2 ? 0 : 0;
+  localparam BUMP_FRACTION = DATAPATH == 0 ? 0 : DATAPATH == 1 ? VECTOR_BITS : DATAPATH == 2 ? GRADIENT_BITS : 0;
+  // code c stands for 2c less so much, in units of 2^-T
+  localparam BUMP_OFFSET = DATAPATH == 0 ? 0 : DATAPATH == 1 ? ((1 << TEXEL_BITS) - (DECODE == 0 ? 1 : 0)) : DATAPATH ==
+    2 ? 1 << TEXEL_BITS : 0;
   // 1: what is decoded may leave its format by rounding
   localparam BUMP_SATURATES = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? 1 : 0;
   // bits of an element of N'; 0: N' is (0, 0, 1)
-  localparam NORMAL_WIDTH = DATAPATH == 0 ? VECTOR_BITS + 2 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ? WIDE_BITS + 3 : 0;
+  localparam NORMAL_WIDTH = DATAPATH == 0 ? VECTOR_BITS + 2 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ?
+    WIDE_BITS + 3 : 0;
   // V of the unit that normalizes N', which takes s1.V
-  localparam NORMAL_INPUT_BITS = DATAPATH == 0 ? VECTOR_BITS : DATAPATH == 1 ? VECTOR_BITS : DATAPATH == 2 ? WIDE_BITS + 1 : 0;
+  localparam NORMAL_INPUT_BITS = DATAPATH == 0 ? VECTOR_BITS : DATAPATH == 1 ? VECTOR_BITS : DATAPATH == 2 ? WIDE_BITS +
+    1 : 0;
   localparam NORMAL_ANY_LENGTH = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? 1 : 0;  // 1: N' has any length
   // 1: N' has the format of L and H, so that one unit normalizes all three
   localparam NORMAL_LIKE_LIGHT = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 0 : 0;
-  // cosine of the light at the unperturbed surface of a bumped draw: 1: L.z; 0: N.L
-  localparam COSINE_OF_LIGHT = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 0 : 0;
+  // cosine of the light at the unperturbed surface of a bumped draw: L.z, else N.L
+  localparam SURFACE_IS_Z = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 0 : 0;
   // 1: L and H may be constants of a draw
   localparam LIGHT_MAY_BE_CONSTANT = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 1 : 0;
-  localparam HAS_SPECULAR = LIGHTING != 0 ? 1 : 0;  // a third vector, H or the view vector E, and with it a highlight
-  localparam TEXEL_COMPONENTS = BUMP_ELEMENTS + (DECAL != 0 ? 3 : 0);  // components of a texel: bump map, base colour
-  localparam HAS_TEXTURE = TEXEL_COMPONENTS != 0 ? 1 : 0;  // there is a texture unit
+  // elements of vector 0 of what is interpolated in the place of N
+  localparam FRAME_0_ELEMENTS = FRAME_VECTORS > 0 ? 3 : 0;
+  localparam FRAME_0_WIDTH = FRAME_VECTORS > 0 ? FRAME_WIDTH : 0;  // bits of such an element
+  localparam FRAME_0_HELD = FRAME_VECTORS > 0 && FRAME_VECTORS - FRAME_HELD <= 0 ? 1 : 0;  // 1: held over a triangle
+  // elements of vector 1 of what is interpolated in the place of N
+  localparam FRAME_1_ELEMENTS = FRAME_VECTORS > 1 ? 3 : 0;
+  localparam FRAME_1_WIDTH = FRAME_VECTORS > 1 ? FRAME_WIDTH : 0;  // bits of such an element
+  localparam FRAME_1_HELD = FRAME_VECTORS > 1 && FRAME_VECTORS - FRAME_HELD <= 1 ? 1 : 0;  // 1: held over a triangle
+  // elements of vector 2 of what is interpolated in the place of N
+  localparam FRAME_2_ELEMENTS = FRAME_VECTORS > 2 ? 3 : 0;
+  localparam FRAME_2_WIDTH = FRAME_VECTORS > 2 ? FRAME_WIDTH : 0;  // bits of such an element
+  localparam FRAME_2_HELD = FRAME_VECTORS > 2 && FRAME_VECTORS - FRAME_HELD <= 2 ? 1 : 0;  // 1: held over a triangle
+  // bits of what is interpolated in the place of N
+  localparam FRAME = FRAME_0_ELEMENTS * FRAME_0_WIDTH + FRAME_1_ELEMENTS * FRAME_1_WIDTH + FRAME_2_ELEMENTS *
+    FRAME_2_WIDTH;
+  localparam NORMAL = 3 * NORMAL_WIDTH;  // bits of N'
+  localparam GLOSSY = LIGHTING != 0 ? 1 : 0;  // 1: a third vector, H or the view vector E, and with it a highlight
+  // bits of an element of L and H before normalization, s1.V; 0: constants of the draw
+  localparam LIGHT_WIDTH = LIGHT_VECTORS == 0 ? VECTOR_BITS + 2 : 0;
+  localparam L_VECTOR = 3 * LIGHT_WIDTH;  // bits of L
+  localparam H_VECTOR = GLOSSY * L_VECTOR;  // bits of H, or of E
+  localparam COLOURS = DECAL != 0 ? 3 : 0;  // components of the base colour
+  localparam TEXELS = BUMP_COMPONENTS + COLOURS;  // components of a texel: bump map, base colour
+  localparam TEXTURED = TEXELS != 0 ? 1 : 0;  // 1: there is a texture unit
+  localparam BUMP = BUMP_COMPONENTS * BUMP_WIDTH;  // bits of the decoded bump map
+  localparam DECALS = COLOURS * TEXEL_BITS;  // bits of the base colour
+  localparam UV = TEXTURED * (UV_INTEGER_BITS + UV_BITS);  // bits of u, of v
+  localparam Q = PERSPECTIVE != 0 ? TEXTURED * Q_BITS : 0;  // bits of the interpolated 1/w; 0: no division
+  localparam LOD = TEXTURED * (FILTER == 2 ? 6 + LOD_BITS : 6);  // bits of the level of detail
+  localparam LOD_PLANE = Q != 0 ? LOD : 0;  // the same where it is interpolated
+  // the same where it is held over a triangle: without a sign, and below 16
+  localparam LOD_HELD = Q == 0 && LOD != 0 ? LOD - 2 : 0;
+  localparam Z = DEPTH != 0 ? DEPTH_BITS : 0;  // bits of z
+  localparam COUNT = CHANNELS != 0 ? 3 : 1;  // colour channels
+  // bits of N, of L and of H as `normalize` hands them on: unit vectors s1.F, or mantissas s0.F
+  localparam UNIT = 3 * (NORMALIZE_ORDER != 0 ? UNIT_BITS + 1 : UNIT_BITS + 2);
+  localparam SCALE = UNIT_BITS == 15 ? 18 : UNIT_BITS + 2;  // bits of a reciprocal length, u1.RB
+  localparam SCALES = NORMALIZE_ORDER != 0 ? (GLOSSY + 2) * SCALE : 0;  // bits of those of all vectors
+  // bits of a light vector that is constant over a draw
+  localparam CONSTANT = LIGHT_VECTORS != 0 ? 3 * (UNIT_BITS + 2) : 0;
+  localparam TAG = 2 * SCREEN_BITS + 1 + Z;  // what every stage carries along: {z, last, y, x}
+  // bits that go past `texture`: the tag, and what later stages read
+  localparam TEXTURE_CARRY = TAG + L_VECTOR + H_VECTOR + FRAME;
+  localparam PERSPECTIVE_CARRY = TEXTURE_CARRY + LOD_PLANE + LOD_HELD;  // bits that go past `perspective`
+  localparam INTERPOLATED = PERSPECTIVE_CARRY - TAG + Z + 2 * UV + Q;  // bits that `interpolate` hands on
+  localparam NORMALIZE_CARRY = TAG + DECALS;  // bits that go past `normalize`
+  localparam PERTURB_CARRY = NORMALIZE_CARRY + L_VECTOR + H_VECTOR;  // bits that go past `perturb`
+  localparam LIGHT_CARRY = NORMALIZE_CARRY + 1;  // bits that go past `light`
+  localparam EDGE_BITS = SCREEN_BITS + SUBPIXEL_BITS + 2;  // bits of the denominator of an edge
+  // bits of the scan part of a packet
+  localparam SCAN_BITS = 5 + SCREEN_BITS + 2 * (SCREEN_BITS + 1) + 3 * (2 * (SCREEN_BITS + 2) + 3 * EDGE_BITS + 1);
+  localparam SCAN_WORDS = (SCAN_BITS + 63) / 64;  // its words
+  // for vector 0 of the frame
+  localparam FRAME_0_BITS = FRAME_0_ELEMENTS * (FRAME_0_HELD != 0 ? FRAME_0_WIDTH : 3 * (FRAME_0_WIDTH + GUARD_BITS));
+  // for vector 1 of the frame
+  localparam FRAME_1_BITS = FRAME_1_ELEMENTS * (FRAME_1_HELD != 0 ? FRAME_1_WIDTH : 3 * (FRAME_1_WIDTH + GUARD_BITS));
+  // for vector 2 of the frame
+  localparam FRAME_2_BITS = FRAME_2_ELEMENTS * (FRAME_2_HELD != 0 ? FRAME_2_WIDTH : 3 * (FRAME_2_WIDTH + GUARD_BITS));
+  // bits of the planes part of a packet for L and H
+  localparam LIGHT_BITS = LIGHT_VECTORS == 0 ? 9 * (1 + GLOSSY) * (LIGHT_WIDTH + GUARD_BITS) : 0;
+  localparam UV_PLANE_BITS = TEXTURED * 6 * (UV + GUARD_BITS);  // for u and v
+  localparam Q_PLANE_BITS = Q != 0 ? 3 * (Q + GUARD_BITS) : 0;  // for 1/w
+  localparam LOD_FIELD_BITS = LOD_PLANE != 0 ? 3 * (LOD_PLANE + GUARD_BITS) : LOD_HELD;  // for the level of detail
+  localparam Z_PLANE_BITS = Z != 0 ? 3 * (Z + GUARD_BITS) : 0;  // for z
+  // bits of the planes part of a packet
+  localparam PLANE_BITS = FRAME_0_BITS + FRAME_1_BITS + FRAME_2_BITS + LIGHT_BITS + UV_PLANE_BITS + Q_PLANE_BITS +
+    LOD_FIELD_BITS + Z_PLANE_BITS;
+  localparam PLANE_WORDS = (PLANE_BITS + 63) / 64;  // its words
+  localparam DRAW_WORDS = LIGHT_VECTORS != 0 ? 6 : 4;  // words of a draw packet
+  localparam LOD_HELD_ELEMENTS = LOD_HELD != 0 ? 1 : 0;  // elements of that field of `interpolate`
+  localparam Z_ELEMENTS = Z != 0 ? 1 : 0;  // elements of that field of `interpolate`
+  localparam LOD_PLANE_ELEMENTS = LOD_PLANE != 0 ? 1 : 0;  // elements of that field of `interpolate`
+  localparam Q_ELEMENTS = Q != 0 ? 1 : 0;  // elements of that field of `interpolate`
+  localparam H_VECTOR_ELEMENTS = H_VECTOR != 0 ? 3 : 0;  // elements of that field of `interpolate`
+  localparam L_VECTOR_ELEMENTS = L_VECTOR != 0 ? 3 : 0;  // elements of that field of `interpolate`
+  // The list of wrinkle_interpolate: of each field the number of elements, the bits of one, whether it is held over
+  // a triangle, and the stage that reads it first: 1 perspective, 2 texture, 3 perturb, 4 normalize, 6 output.
+  localparam FIELDS = 11;
+  localparam [32*FIELDS-1:0] FIELD_ELEMENTS = {
+    32'd0 | LOD_HELD_ELEMENTS[31:0],
+    32'd0 | Z_ELEMENTS[31:0],
+    32'd0 | LOD_PLANE_ELEMENTS[31:0],
+    32'd0 | Q_ELEMENTS[31:0],
+    32'd0 | TEXTURED[31:0],
+    32'd0 | TEXTURED[31:0],
+    32'd0 | H_VECTOR_ELEMENTS[31:0],
+    32'd0 | L_VECTOR_ELEMENTS[31:0],
+    32'd0 | FRAME_2_ELEMENTS[31:0],
+    32'd0 | FRAME_1_ELEMENTS[31:0],
+    32'd0 | FRAME_0_ELEMENTS[31:0]};
+  localparam [32*FIELDS-1:0] FIELD_WIDTHS = {
+    32'd0 | LOD_HELD[31:0],
+    32'd0 | Z[31:0],
+    32'd0 | LOD_PLANE[31:0],
+    32'd0 | Q[31:0],
+    32'd0 | UV[31:0],
+    32'd0 | UV[31:0],
+    32'd0 | LIGHT_WIDTH[31:0],
+    32'd0 | LIGHT_WIDTH[31:0],
+    32'd0 | FRAME_2_WIDTH[31:0],
+    32'd0 | FRAME_1_WIDTH[31:0],
+    32'd0 | FRAME_0_WIDTH[31:0]};
+  localparam [32*FIELDS-1:0] FIELD_HELD = {
+    32'd1,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0,
+    32'd0 | FRAME_2_HELD[31:0],
+    32'd0 | FRAME_1_HELD[31:0],
+    32'd0 | FRAME_0_HELD[31:0]};
+  localparam [32*FIELDS-1:0] FIELD_READERS = {
+    32'd2,
+    32'd6,
+    32'd2,
+    32'd1,
+    32'd1,
+    32'd1,
+    32'd4,
+    32'd4,
+    32'd3,
+    32'd3,
+    32'd3};
 `endif
 
-`ifdef WRINKLE_RULES
+`ifdef WRINKLE_SECTION_RULES
   generate
     if (DATAPATH < 0 || DATAPATH > 3) begin : datapath_range
       wrinkle_error_datapath_is_not_0_to_3 error ();
@@ -214,7 +342,8 @@
     if (NORMALIZE_ORDER != 0 && (NORMAL_WIDTH == 0 || LIGHT_VECTORS != 0)) begin : normalize_order_after_is_of_vectors
       wrinkle_error_normalize_order_after_is_of_vectors error ();
     end
-    if (NORMALIZE_ORDER != 0 && (NORMALIZER_N != 1 || NORMALIZER_L != 1 || (LIGHTING != 0 && NORMALIZER_H != 1))) begin : normalize_order_after_is_faithful
+    if (NORMALIZE_ORDER != 0 && (NORMALIZER_N != 1 || NORMALIZER_L != 1 || (LIGHTING != 0 && NORMALIZER_H != 1))) begin
+    : normalize_order_after_is_faithful
       wrinkle_error_normalize_order_after_is_faithful error ();
     end
     if (NORMALIZE_ORDER != 0 && LIGHTING > 1) begin : normalize_order_after_has_no_view_vector
@@ -226,7 +355,8 @@
     if (SHARING != 0 && (NORMAL_LIKE_LIGHT == 0 || LIGHT_VECTORS != 0)) begin : sharing_is_of_n_l_h_of_one_format
       wrinkle_error_sharing_is_of_n_l_h_of_one_format error ();
     end
-    if (SHARING != 0 && (NORMALIZER_N == 0 || NORMALIZER_L != NORMALIZER_N || (LIGHTING != 0 && NORMALIZER_H != NORMALIZER_N))) begin : sharing_is_of_n_l_h_of_one_normalizer
+    if (SHARING != 0 && (NORMALIZER_N == 0 || NORMALIZER_L != NORMALIZER_N || (LIGHTING != 0 && NORMALIZER_H !=
+    NORMALIZER_N))) begin : sharing_is_of_n_l_h_of_one_normalizer
       wrinkle_error_sharing_is_of_n_l_h_of_one_normalizer error ();
     end
     if (SHARING != 0 && LIGHTING != 1) begin : sharing_is_of_n_l_h_with_halfangle
@@ -234,6 +364,32 @@
     end
     if (SHARING != 0 && NORMALIZE_ORDER != 0) begin : sharing_is_of_unit_vectors
       wrinkle_error_sharing_is_of_unit_vectors error ();
+    end
+  endgenerate
+`endif
+
+`ifdef WRINKLE_SECTION_PERTURB
+  generate
+    if (DATAPATH == 0) begin : phong
+      wrinkle_perturb_phong #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
+        .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
+    end else if (DATAPATH == 1) begin : normal_map
+      wrinkle_perturb_normal_map #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
+        .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
+    end else if (DATAPATH == 2) begin : blinn
+      wrinkle_perturb_blinn #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
+        .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
+    end else if (DATAPATH == 3) begin : rotated
+      wrinkle_perturb_rotated #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
+        .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
     end
   endgenerate
 `endif

@@ -42,7 +42,7 @@ struct Config {
   int third_normalizer() const, normalized_width() const, scale_bits() const, channel_count() const;
   int vector_width() const, wide_width() const, normal_vector_bits() const, normal_vector_width() const;
   int normal_unit_input_bits() const, uv_width() const, lod_fraction_bits() const, weight_fraction_bits() const;
-  int filter_fraction_bits() const, coordinate_shift() const, bump_components() const, texel_components() const;
+  int filter_fraction_bits() const, coordinate_shift() const, texel_components() const;
   int draw_words() const, edge_bits() const, mantissa_bits(int input_bits) const;
 };
 

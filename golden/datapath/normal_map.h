@@ -13,15 +13,15 @@ struct NormalMapped : DatapathDefaults {
   WRINKLE_SAYS(frame_vectors, 1)
   WRINKLE_SAYS(frame_width, vector_bits + 2)
   WRINKLE_SAYS(frame_bits, vector_bits)
-  WRINKLE_SAYS(bump_elements, 3)
+  WRINKLE_SAYS(bump_components, 3)
   WRINKLE_SAYS(bump_width, vector_bits + 2)
-  WRINKLE_SAYS(bump_bits, vector_bits)
-  WRINKLE_SAYS(bump_odd, decode == 0 ? 1 : 0)
+  WRINKLE_SAYS(bump_fraction, vector_bits)
+  WRINKLE_SAYS(bump_offset, (1 << texel_bits) - (decode == 0 ? 1 : 0))
   WRINKLE_SAYS(normal_width, vector_bits + 2)
   WRINKLE_SAYS(normal_bits, vector_bits)
   WRINKLE_SAYS(normal_input_bits, vector_bits)
   WRINKLE_SAYS(normal_like_light, 1)
-  WRINKLE_SAYS(cosine_of_light, 1)
+  WRINKLE_SAYS(surface_is_z, 1)
 };
 
 }  // namespace wrinkle

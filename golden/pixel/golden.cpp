@@ -77,7 +77,7 @@ struct Golden::State {
 
   // The private copy of a texture for the wrap modes of a draw, made when first met.
   std::shared_ptr<const BoundTexture> texture_of(const DrawWords& draw) {
-    if (!draw.textured || !context.config.has_texture) return nullptr;
+    if (!draw.textured || !context.config.textured) return nullptr;
     auto& copy = bound[{draw.texture, draw.wrap_u, draw.wrap_v}];
     if (copy == nullptr)
       copy =

@@ -13,7 +13,7 @@ namespace {
 
 int interpolate_bits(const Shape& c) {
   int width = std::max(c.vector_width, c.frame_width);
-  if (c.has_texture) width = std::max(width, c.uv_width);
+  if (c.textured) width = std::max(width, c.uv_width);
   if (c.divides) width = std::max({width, c.q_bits, 6 + c.lod_fraction_bits});
   if (c.depth != 0) width = std::max(width, c.depth_bits);
   return width + c.guard_bits;  // accumulators are modular: no bit is lost to a sign
@@ -28,7 +28,7 @@ int perspective_bits(const Shape& c) {
 }
 
 int texture_bits(const Shape& c) {
-  if (!c.has_texture) return 0;
+  if (!c.textured) return 0;
   const int scaled_coordinate = c.uv_width + c.coordinate_shift + 1;
   const int doubled_code = c.texel_bits + c.filter_fraction_bits + 2;
   return std::max({scaled_coordinate, doubled_code, c.bump_width});
@@ -75,7 +75,7 @@ int light_bits(const Shape& c) {
     return c.unit_bits + (normalizer == static_cast<int>(Normalizer::kNone) ? 1 : 0);
   };
   const int other =
-      c.has_specular ? std::max(magnitude(c.normalizer_l), magnitude(c.normalizer_h)) : magnitude(c.normalizer_l);
+      c.glossy ? std::max(magnitude(c.normalizer_l), magnitude(c.normalizer_h)) : magnitude(c.normalizer_l);
   const int dot = magnitude(c.normalizer_n) + other + 3;
   const int shift = c.dot_bits + 5;
   // 2 (N.L) (N.E) - L.E, each product of two factors up to 2^F.

@@ -67,7 +67,7 @@ HWY_INLINE typename L::V shadow_factor(const L& l, const Constants<typename L::I
   const auto one = l.set(1 << c.config.dot_bits);
   const auto zero = l.set(0);
   const auto tangent = l.min(round_half_up(l, l.max(lz, zero), c.config.unit_bits - c.config.dot_bits), one);
-  const auto source = c.config.cosine_of_light != 0 && c.draw.bump ? tangent : nl;
+  const auto source = c.config.surface_is_z != 0 && c.draw.bump ? tangent : nl;
   if (c.config.self_shadow == static_cast<int>(SelfShadow::kHard)) return l.select(l.less(zero, source), one, zero);
   return l.min(l.shl(source, 3), one);
 }
@@ -86,7 +86,7 @@ void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
     const auto factor = shadow ? shadow_factor(l, c, l.load(&batch.normalize_l[2][i]), nl) : l.set(1 << df);
     l.store(nl, &batch.light_nl[0][i]);
     l.store(shadow ? round_half_up(l, l.mul_half(nl, factor), df) : nl, &batch.light_diffuse[0][i]);
-    if (!c.config.has_specular) continue;
+    if (!c.config.glossy) continue;
     const auto nh = after        ? scaled_cosine(l, c.config, batch, true, i)
                     : reflection ? reflected(l, c.config, batch, i)
                                  : clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_h, i));

@@ -222,7 +222,7 @@ void defer(const L& l, const Context& c, Batch<typename L::Int>& batch) {
   const int count = batch.count;
   defer_unit(l, c, config.normal_input_bits, batch.perturb_n, batch.normalize_n, scale[0], zero, count);
   defer_unit(l, c, config.vector_bits, batch.interpolate_l, batch.normalize_l, scale[1], zero, count);
-  if (!config.has_specular) return;
+  if (!config.glossy) return;
   defer_unit(l, c, config.vector_bits, batch.interpolate_h, batch.normalize_h, scale[2], zero, count);
 }
 
@@ -240,12 +240,12 @@ void normalize(const L& l, const Context& c, Batch<typename L::Int>& batch) {
     fill_constant(l, {0, 0, 1 << config.unit_bits}, batch.normalize_n, count);
   if (config.has_light_planes) {
     normalize_unit(l, c, config.normalizer_l, config.vector_bits, batch.interpolate_l, batch.normalize_l, zero, count);
-    if (config.has_specular)
+    if (config.glossy)
       normalize_unit(l, c, config.third_normalizer, config.vector_bits, batch.interpolate_h, batch.normalize_h, zero,
                      count);
   } else {
     fill_constant(l, c.draw.l, batch.normalize_l, count);
-    if (config.has_specular) fill_constant(l, c.draw.h, batch.normalize_h, count);
+    if (config.glossy) fill_constant(l, c.draw.h, batch.normalize_h, count);
   }
   if (config.is(Lighting::kPixelHalfangle)) normalize_halfangle(l, c, batch);
 }

@@ -182,8 +182,8 @@ void texture_absent(const L& l, const Constants<typename L::Int>& c, Batch<typen
   for (std::size_t k = 0; k < 3; ++k) {
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);
-      if (c.config.bump_elements == 3) l.store(l.set(0), &batch.texture_n[k][i]);
-      if (c.config.bump_elements == 2) l.store(l.set(0), &batch.texture_gradient[k][i]);
+      if (c.config.bump_components == 3) l.store(l.set(0), &batch.texture_n[k][i]);
+      if (c.config.bump_components == 2) l.store(l.set(0), &batch.texture_gradient[k][i]);
       if (c.config.decal != 0) l.store(l.set((1 << c.config.texel_bits) - 1), &batch.texture_decal[k][i]);
     }
   }
@@ -206,7 +206,7 @@ void texture_gradient(const L& l, const Constants<typename L::Int>& c, const std
 template <class L>
 void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
-  if (!c.config.has_texture) return;
+  if (!c.config.textured) return;
   if (!c.draw.textured) return texture_absent(l, c, batch);
   const auto& u = c.config.perspective != 0 ? batch.perspective_u[0] : batch.interpolate_u[0];
   const auto& v = c.config.perspective != 0 ? batch.perspective_v[0] : batch.interpolate_v[0];
@@ -219,8 +219,8 @@ void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) 
     l.store(levels.weight, &s.weight[i]);
   }
   const int d = c.config.filter_fraction_bits;
-  if (c.config.bump_elements == 2) texture_gradient(l, c, context.texture->low, s, batch);
-  if (c.config.bump_elements == 3) {
+  if (c.config.bump_components == 2) texture_gradient(l, c, context.texture->low, s, batch);
+  if (c.config.bump_components == 3) {
     const int one = (1 << c.config.texel_bits) - (c.config.decode == static_cast<int>(Decode::kRange) ? 1 : 0);
     const auto bias = l.shl(l.set(one), d);
     const int shift = d + c.config.texel_bits - c.config.vector_bits;
@@ -230,7 +230,7 @@ void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) 
     });
   }
   if (c.config.decal != 0) {
-    const auto& texels = c.config.bump_elements != 0 ? context.texture->high : context.texture->low;
+    const auto& texels = c.config.bump_components != 0 ? context.texture->high : context.texture->low;
     sample(l, c, texels, 3, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
       l.store(round_half_up(l, f, d), &batch.texture_decal[k][i]);
     });

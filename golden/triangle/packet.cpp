@@ -69,7 +69,7 @@ void plane_fields(const Shape& config, Triangle& triangle, Visit& visit) {
     visit(plane.row, bits, true);
     visit(plane.dw, bits, true);
   }
-  if (config.has_texture && config.perspective == 0) visit(triangle.lod, 4 + config.lod_fraction_bits, false);
+  if (config.textured && config.perspective == 0) visit(triangle.lod, 4 + config.lod_fraction_bits, false);
   visit.next_word();
 }
 
@@ -159,9 +159,9 @@ std::vector<ComponentFormat> component_formats(const Shape& config) {
   }
   if (config.has_light_planes) {
     add_vector(Component::kLx, Component::kLy, Component::kLz);
-    if (config.has_specular) add_vector(Component::kHx, Component::kHy, Component::kHz);
+    if (config.glossy) add_vector(Component::kHx, Component::kHy, Component::kHz);
   }
-  if (config.has_texture) {
+  if (config.textured) {
     add(Component::kU, config.uv_width, config.uv_bits, true);
     add(Component::kV, config.uv_width, config.uv_bits, true);
     if (config.perspective != 0) {

@@ -44,7 +44,7 @@ class Attributes {
     if (config.frame_vectors == 1) vector(Component::kNx, &ScreenVertex::N, config.normalizer_n);
     if (config.has_light_planes) {
       vector(Component::kLx, &ScreenVertex::L, config.normalizer_l);
-      if (config.has_specular) vector(Component::kHx, &ScreenVertex::H, config.third_normalizer);
+      if (config.glossy) vector(Component::kHx, &ScreenVertex::H, config.third_normalizer);
     }
     if (config.frame_vectors > 1) {
       const CrossCorners cross = cross_corners(config, corners, draw);
@@ -123,7 +123,7 @@ Planes make_planes(const Shape& config, const Corners& corners, const DrawWords&
       plane.corner[i] = to_fixed(values[i], format.fraction_bits + (format.is_constant ? 0 : config.guard_bits));
     }
   }
-  if (config.has_texture && draw.textured) {
+  if (config.textured && draw.textured) {
     if (config.perspective != 0) {
       make_perspective(config, corners, draw, attributes, planes);
     } else {

@@ -26,13 +26,13 @@ std::array<int, 3> to_unit_codes(const Shape& config, Vec3 v) {
 }  // namespace
 
 Vec3 to_channels(const Shape& config, Vec3 colour) {
-  if (config.channel_count == 3) return colour;
+  if (config.count == 3) return colour;
   return {0.2126 * colour.x + 0.7152 * colour.y + 0.0722 * colour.z, 0, 0};
 }
 
 DrawWords quantise(const Shape& config, const DrawState& state, const std::vector<Texture>& textures) {
   DrawWords draw;
-  draw.bump = state.bump && config.bump_elements != 0;
+  draw.bump = state.bump && config.bump_components != 0;
   draw.textured = draw.bump || (state.textured && config.decal != 0);
   draw.shadow = state.shadow && config.self_shadow != static_cast<int>(SelfShadow::kOff);
   if (draw.textured) {
@@ -58,7 +58,7 @@ DrawWords quantise(const Shape& config, const DrawState& state, const std::vecto
   }
   if (!config.has_light_planes) {
     draw.l = to_unit_codes(config, state.L);
-    if (config.has_specular) draw.h = to_unit_codes(config, state.H);
+    if (config.glossy) draw.h = to_unit_codes(config, state.H);
   }
   draw.ambient = to_codes(config, material.ambient);
   draw.diffuse = to_codes(config, material.diffuse);

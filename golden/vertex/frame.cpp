@@ -74,7 +74,7 @@ bool has_derivatives(const Object& object) { return object.heights && !object.me
 // The space that a draw lights in. Blinn's N' is in that of Pu and Pv; N of the rotated frame is its z.
 ShadingSpace space_of(const Shape& config, const Object& object, const DrawState& state) {
   if (config.normal_width == 0) return ShadingSpace::kTangent;
-  return config.cosine_of_light != 0 && state.bump ? object.space : ShadingSpace::kWorld;
+  return config.surface_is_z != 0 && state.bump ? object.space : ShadingSpace::kWorld;
 }
 
 // `B` and `C` times the scale of the slopes, and all by a power of two that brings the largest of the draw into
@@ -166,10 +166,10 @@ const BoundMap& FrameBuilder::map_of(const Object& object) {
 // Without a texture (or a datapath) there is nothing to perturb the normal with: the object is lit in world space.
 DrawState FrameBuilder::state_of(const Object& object) {
   DrawState state;
-  state.bump = config_.bump_elements != 0 && object.space != ShadingSpace::kWorld && object.texture;
+  state.bump = config_.bump_components != 0 && object.space != ShadingSpace::kWorld && object.texture;
   state.textured = state.bump || (config_.decal != 0 && object.texture);
   // The hardware takes L.z for the cosine at the unperturbed surface, which it is in tangent space alone.
-  const bool in_object_space = config_.cosine_of_light != 0 && state.bump && object.space == ShadingSpace::kObject;
+  const bool in_object_space = config_.surface_is_z != 0 && state.bump && object.space == ShadingSpace::kObject;
   state.shadow = object.shadow && !in_object_space;
   state.wrap_u = object.wrap_u;
   state.wrap_v = object.wrap_v;
@@ -292,7 +292,7 @@ ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state
     return static_cast<std::int32_t>(std::floor(std::clamp(pixels, band_.low, band_.high) * grid + 0.5));
   };
   const ScreenPoint& p = vertex.screen;
-  const bool turn_light = back && ((config_.cosine_of_light != 0 && state.bump) || config_.normal_width == 0);
+  const bool turn_light = back && ((config_.surface_is_z != 0 && state.bump) || config_.normal_width == 0);
   const bool turn_normal = back && !turn_light;
   ScreenVertex v;
   v.x = to_grid(p.x / p.w);

@@ -82,8 +82,8 @@ void for_each_number(const Print& print) {
 std::string bench(std::span<const Config> settings) {
   std::ostringstream out;
   out << "`default_nettype none\nmodule setting #(\n"
-      << include("WRINKLE_PARAMETERS") << ") ();\n"
-      << include("WRINKLE_DERIVED") << include("WRINKLE_RULES") << "  initial $display(\"%m";
+      << include("WRINKLE_SECTION_PARAMETERS") << ") ();\n"
+      << include("WRINKLE_SECTION_DERIVED") << include("WRINKLE_SECTION_RULES") << "  initial $display(\"%m";
   for (const Parameter& p : parameters())
     if (p.scope == Scope::core) out << " %0d";
   for_each_number([&](const DerivedValue&) { out << " %0d"; });
