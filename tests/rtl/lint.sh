@@ -54,7 +54,7 @@ icarus_lint() {
   flags=""
   for setting in "$@"; do flags="$flags -P$top.$setting"; done
   # shellcheck disable=SC2086
-  iverilog -g2005 -Wall -s "$top" $flags -y "$root/rtl" -y "$root/rtl/lib" -o /dev/null "$root/rtl/$top.v"
+  iverilog -g2005 -Wall -s "$top" $flags -y "$root/rtl" -y "$root/rtl/lib" -I"$root/rtl/lib" -o /dev/null "$root/rtl/$top.v"
 }
 
 yosys_run() { # SCRIPT TOP [NAME=VALUE...]
@@ -63,7 +63,7 @@ yosys_run() { # SCRIPT TOP [NAME=VALUE...]
   shift 2
   flags=""
   for setting in "$@"; do flags="$flags -set ${setting%%=*} ${setting#*=}"; done
-  read="read_verilog -defer $root/rtl/*.v $root/rtl/lib/*.v"
+  read="read_verilog -defer -I$root/rtl/lib $root/rtl/*.v $root/rtl/lib/*.v"
   yosys -q -e . -p "$read; ${flags:+chparam $flags $top;} hierarchy -check -top $top; $script"
 }
 
