@@ -1,5 +1,5 @@
 `default_nettype none
-// rtl/lib/wrinkle_block_shift.v, arranged: the zeros are counted and shifted out stage by stage. A stage moves by HOP
+// rtl/unit/wrinkle_block_shift.v, arranged: the zeros are counted and shifted out stage by stage. A stage moves by HOP
 // places when the top HOP bits of all three are 0: where a moved bit meets one of those, an OR takes the place of the
 // multiplexer.
 module wrinkle_block_shift #(

@@ -1,5 +1,5 @@
 `default_nettype none
-// rtl/lib/wrinkle_truncated_product.v, arranged: constant and rows in one bit heap. The row of a last bit of m
+// rtl/unit/wrinkle_truncated_product.v, arranged: constant and rows in one bit heap. The row of a last bit of m
 // that stands alone has no dots above those of r.
 module wrinkle_truncated_product #(
   parameter M_BITS      = 10,

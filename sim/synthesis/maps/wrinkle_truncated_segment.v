@@ -1,5 +1,5 @@
 `default_nettype none
-// rtl/lib/wrinkle_truncated_segment.v, arranged: base and dots in one bit heap.
+// rtl/unit/wrinkle_truncated_segment.v, arranged: base and dots in one bit heap.
 module wrinkle_truncated_segment #(
   parameter N               = 5,
   parameter BASE_BITS       = 12,

@@ -1,5 +1,5 @@
 `default_nettype none
-// rtl/lib/wrinkle_truncated_squares.v, arranged: one bit heap of folded squares, in which bit i alone weighs
+// rtl/unit/wrinkle_truncated_squares.v, arranged: one bit heap of folded squares, in which bit i alone weighs
 // 2^(2i), bits i < j together 2^(i+j+1). Dots of two bits below CUT are left out.
 module wrinkle_truncated_squares #(
   parameter BITS = 11,
