@@ -68,6 +68,10 @@ endmodule
 
 fs::path scripts() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "scripts"; }
 
+// Modules that are synthesised in the place of those of the same names in rtl/, with the same ports, parameters and
+// values, but with an arrangement of their own.
+fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "maps"; }
+
 std::vector<fs::path> verilog_files(const std::vector<fs::path>& folders, const std::string& extension) {
   std::vector<fs::path> files;
   for (const fs::path& folder : folders) {
@@ -78,6 +82,15 @@ std::vector<fs::path> verilog_files(const std::vector<fs::path>& folders, const 
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+// The sources with every module that has a map replaced by it; a map that replaces nothing may be part of another.
+std::vector<fs::path> mapped_sources(const std::vector<fs::path>& sources) {
+  std::vector<fs::path> mapped = verilog_files({maps()}, ".v");
+  for (const fs::path& source : sources) {
+    if (!fs::exists(maps() / source.filename())) mapped.push_back(source);
+  }
+  return mapped;
 }
 
 std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
@@ -256,6 +269,7 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
   if (job.sources.empty())
     job.sources = verilog_files({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
+  job.sources = mapped_sources(job.sources);
   for (fs::path& source : job.sources) source = fs::absolute(source);
 
   const fs::path cache = cache_folder(options);
