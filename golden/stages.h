@@ -21,6 +21,14 @@ inline constexpr std::array kStageNames{
 };
 inline constexpr int kStages = static_cast<int>(kStageNames.size());
 
+// A set of stages, as bits.
+enum Stages : unsigned {
+#define WRINKLE_STAGE(name, title, moves) k##title = 1U << static_cast<int>(Stage::name),
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+  kAllStages = (1U << kStages) - 1
+};
+
 // A number for each stage, in their order.
 template <class T>
 using PerStage = std::array<T, kStageNames.size()>;

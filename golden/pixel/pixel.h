@@ -49,6 +49,10 @@ using FragmentValues = std::vector<std::array<std::int64_t, 3>>;
 template <class Int>
 void extract(const Batch<Int>& batch, int index, FragmentValues& out);
 
+// Element of a value for all fragments of a batch; `value` as in values().
+template <class Int>
+const Int* column(const Batch<Int>& batch, std::size_t value, std::size_t element);
+
 // What leaves the hardware.
 struct Fragment {
   std::int32_t x = 0, y = 0;

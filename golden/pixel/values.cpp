@@ -22,6 +22,16 @@ void extract(const Batch<Int>& batch, int index, FragmentValues& out) {
 }
 
 template <class Int>
+const Int* column(const Batch<Int>& batch, std::size_t value, std::size_t element) {
+  const std::array columns{
+#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) batch.stage##_##name.data(),
+#include "golden/pixel/components.def"
+#undef WRINKLE_VALUE
+  };
+  return columns[value][element].data();
+}
+
+template <class Int>
 Fragment fragment(const Batch<Int>& batch, int index) {
   const auto i = static_cast<std::size_t>(index);
   Fragment out;
@@ -36,6 +46,8 @@ Fragment fragment(const Batch<Int>& batch, int index) {
 
 template void extract(const Batch<std::int32_t>&, int, FragmentValues&);
 template void extract(const Batch<std::int64_t>&, int, FragmentValues&);
+template const std::int32_t* column(const Batch<std::int32_t>&, std::size_t, std::size_t);
+template const std::int64_t* column(const Batch<std::int64_t>&, std::size_t, std::size_t);
 template Fragment fragment(const Batch<std::int32_t>&, int);
 template Fragment fragment(const Batch<std::int64_t>&, int);
 
