@@ -11,6 +11,7 @@
 #include <regex>
 #include <set>
 
+#include "golden/stages.h"
 #include "tb/process.h"
 
 namespace wrinkle {
@@ -91,9 +92,7 @@ std::vector<StageModule> instances_of_core(const std::string& chparams) {
 
 }  // namespace
 
-std::vector<std::string> stage_names() {
-  return {"packet", "scan", "interpolate", "perspective", "texture", "perturb", "normalize", "light", "output"};
-}
+std::vector<std::string> stage_names() { return {kStageNames.begin(), kStageNames.end()}; }
 
 std::vector<fs::path> module_sources(const std::string& module) {
   std::set<std::string> names;
