@@ -45,8 +45,8 @@ AreaOptions area_options(const Options& options) {
 constexpr const char* kRow = "{:<22} {:>12.0f} {:>10.1f} {:>8} {:>9.2f} {:>7}  {}\n";
 
 void print_report(const AreaReport& report) {
-  fmt::print("{} in {}\n{:<22} {:>12} {:>10} {:>8} {:>9} {:>7}  multipliers\n", report.name, report.library, "stage", "um^2",
-             "NAND2", "FFs", "path ns", "equal");
+  fmt::print("{} in {}\n{:<22} {:>12} {:>10} {:>8} {:>9} {:>7}  multipliers\n", report.name, report.library, "stage",
+             "um^2", "NAND2", "FFs", "path ns", "equal");
   for (const StageArea& stage : report.stages) {
     const SynthesisResult& r = stage.result;
     fmt::print(kRow, stage.stage + (stage.given ? " (given)" : ""), r.um2, r.nand2, r.flip_flops, r.critical_path_ns,
@@ -116,8 +116,8 @@ int run_normalizers(const Options& options) {
   for (const NormalizerArea& area : areas) {
     const auto goal = kNormalizerGoals.find(area.unit_bits);
     fmt::print("{:<10} {:>3} {:>10.1f} {:>12.0f} {:>9.2f} {:>7}  {}\n", normalizer_name(area.kind), area.unit_bits,
-               area.result.nand2, area.result.um2, area.result.critical_path_ns,
-               area.result.checked.clocks, goal == kNormalizerGoals.end() || area.kind == Normalizer::kLite ? "" : std::to_string(goal->second));
+               area.result.nand2, area.result.um2, area.result.critical_path_ns, area.result.checked.clocks,
+               goal == kNormalizerGoals.end() || area.kind == Normalizer::kLite ? "" : std::to_string(goal->second));
     json["normalizers"].push_back(to_json(area));
   }
   write_json(options.json, json);

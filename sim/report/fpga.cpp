@@ -45,23 +45,23 @@ nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>
              "multipliers", "memories", "placed ns", "equal");
   for (const CellLibrary library : {CellLibrary::kIce40, CellLibrary::kEcp5, CellLibrary::kXilinx}) {
     for (const std::string& name : names) {
-      const std::string module = "wrinkle_" + name;
+      const auto [module, values] = stage_module(name, config);
       SynthesisOptions options;
       options.sources = module_sources(module);
-      SynthesisResult result = synthesise(module, module_parameters(module, config), library, options, progress);
+      SynthesisResult result = synthesise(module, values, library, options, progress);
       const FpgaCells cells = count_fpga_cells(result);
       std::string placed = "-";
       if (place && library == CellLibrary::kIce40 && cells.luts > 0 && may_fit(cells)) {
         options.place_and_route = true;
         try {
-          result = synthesise(module, module_parameters(module, config), library, options, progress);
+          result = synthesise(module, values, library, options, progress);
           placed = fmt::format("{:.1f}", result.critical_path_ns);
         } catch (const SynthesisError&) {
           placed = "too large";
         }
       }
-      fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10} {:>7}\n", cell_library_name(library), name, cells.luts,
-                 cells.flip_flops, cells.carries, cells.multipliers, cells.memories, placed,
+      fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10} {:>7}\n", cell_library_name(library), name,
+                 cells.luts, cells.flip_flops, cells.carries, cells.multipliers, cells.memories, placed,
                  result.checked.clocks);
       rows.push_back({{"library", cell_library_name(library)},
                       {"stage", name},

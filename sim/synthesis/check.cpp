@@ -106,8 +106,8 @@ class Check {
       compare(runs_.back());
       checked_.clocks += clocks();
       count_changes();
-      const bool all_changed = checked_.registers_changed == checked_.registers &&
-                               checked_.outputs_changed == checked_.outputs;
+      const bool all_changed =
+          checked_.registers_changed == checked_.registers && checked_.outputs_changed == checked_.outputs;
       if (all_changed && number >= kLeastRuns) break;
     }
     find_faults();
@@ -132,7 +132,7 @@ class Check {
       result += port.nets.size();
     }
     for (const auto& [name, value] : options_.parameters)
-      parameters += fmt::format("{}.{}({})", parameters.empty() ? "#(" : ", ", name, value);
+      parameters += fmt::format("{}.{}({})", parameters.empty() ? "#(" : ", ", name, value.text);
     if (!parameters.empty()) parameters += ")";
     return fmt::format(R"(module wrinkle_check;
   reg clk;
@@ -221,9 +221,9 @@ endmodule
   }
 
   [[noreturn]] void complain(const Run& run, std::size_t clock, std::size_t bit, char expected) const {
-    throw NetlistDiffers(fmt::format("the netlist of {} is not its Verilog: {} is {} and not {} at clock {} of run {}, inputs {}",
-                                     options_.top, outputs_.name_of(bit), expected == '1' ? 0 : 1, expected, clock,
-                                     run.seed, inputs_.text(run.inputs[clock])));
+    throw NetlistDiffers(fmt::format(
+        "the netlist of {} is not its Verilog: {} is {} and not {} at clock {} of run {}, inputs {}", options_.top,
+        outputs_.name_of(bit), expected == '1' ? 0 : 1, expected, clock, run.seed, inputs_.text(run.inputs[clock])));
   }
 
   void count_changes() {
@@ -269,7 +269,8 @@ endmodule
                                     faults.begin() + static_cast<std::ptrdiff_t>(last));
       const std::uint64_t all = (std::uint64_t{1} << some.size()) - 1;
       std::uint64_t found = 0;
-      for (std::size_t i = 0; i < runs_.size() && found != all; ++i) found |= faults_found(runs_[i], some, all & ~found);
+      for (std::size_t i = 0; i < runs_.size() && found != all; ++i)
+        found |= faults_found(runs_[i], some, all & ~found);
       checked_.faults += static_cast<int>(some.size());
       checked_.faults_found += std::popcount(found);
     }

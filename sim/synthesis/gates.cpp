@@ -198,11 +198,21 @@ void GateSimulation::settle_faulty(std::size_t index) {
     if (faults_[machine].gate != index) continue;
     const std::uint64_t bit = std::uint64_t{1} << machine;
     switch (faults_[machine].kind) {
-      case Fault::Kind::kOutput0: low |= bit; break;
-      case Fault::Kind::kOutput1: high |= bit; break;
-      case Fault::Kind::kPin0: a &= ~bit; break;
-      case Fault::Kind::kPin1: a |= bit; break;
-      case Fault::Kind::kOther: swapped |= bit; break;
+      case Fault::Kind::kOutput0:
+        low |= bit;
+        break;
+      case Fault::Kind::kOutput1:
+        high |= bit;
+        break;
+      case Fault::Kind::kPin0:
+        a &= ~bit;
+        break;
+      case Fault::Kind::kPin1:
+        a |= bit;
+        break;
+      case Fault::Kind::kOther:
+        swapped |= bit;
+        break;
     }
     // Both pins of a buffer are one.
     if (gate.a == gate.b) b = a;

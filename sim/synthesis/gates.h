@@ -39,7 +39,13 @@ GateNetlist read_gates(const std::filesystem::path& blif);
 
 // One gate wrong in one machine.
 struct Fault {
-  enum class Kind { kOutput0, kOutput1, kPin0, kPin1, kOther };  // kPin: of input a; kOther: & for ^, or an inverter more
+  enum class Kind {
+    kOutput0,
+    kOutput1,
+    kPin0,
+    kPin1,
+    kOther
+  };  // kPin: of input a; kOther: & for ^, or an inverter more
   std::size_t gate = 0;
   Kind kind = Kind::kOutput0;
 };

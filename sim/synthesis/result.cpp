@@ -77,14 +77,10 @@ std::map<std::string, double> lef_areas(const std::filesystem::path& lef) {
 }
 
 nlohmann::json to_json(const NetlistChecked& checked) {
-  return {{"clocks", checked.clocks},
-          {"different", 0},
-          {"registers", checked.registers},
-          {"registers_changed", checked.registers_changed},
-          {"outputs", checked.outputs},
-          {"outputs_changed", checked.outputs_changed},
-          {"faults", checked.faults},
-          {"faults_found", checked.faults_found}};
+  return {{"clocks", checked.clocks},       {"different", 0},
+          {"registers", checked.registers}, {"registers_changed", checked.registers_changed},
+          {"outputs", checked.outputs},     {"outputs_changed", checked.outputs_changed},
+          {"faults", checked.faults},       {"faults_found", checked.faults_found}};
 }
 
 NetlistChecked netlist_checked(const nlohmann::json& json) {

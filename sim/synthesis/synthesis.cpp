@@ -50,7 +50,6 @@ struct Job {
   fs::path folder;
 
   bool is_standard_cells() const { return library == CellLibrary::kOsu035 || library == CellLibrary::kOsu018; }
-  bool has_maps() const { return is_standard_cells() && options.full_adders; }
   bool is_placed() const { return library == CellLibrary::kIce40 && options.place_and_route; }
   std::string main_script() const { return is_standard_cells() ? "cells.ys" : cell_library_name(library) + ".ys"; }
 };
@@ -97,8 +96,8 @@ std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
   return {folders.begin(), folders.end()};
 }
 
-// Modules that standard cells are made of in the place of those of the same names in rtl/, with the same ports,
-// parameters and values, but with the arrangement of their adders.
+// Modules that are synthesised in the place of those of the same names in rtl/, with the same ports, parameters and
+// values, but with an arrangement of their own. The check of the netlist reads those of rtl/.
 fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "maps"; }
 
 // The sources with every module that has a map replaced by it; a map that replaces nothing may be part of another.
@@ -127,10 +126,9 @@ std::string simulation_models(CellLibrary library) {
 // What the @...@ of a script stand for.
 std::string filled_in(const Job& job, const std::string& script) {
   std::string sources, includes, parameters;
-  for (const fs::path& source : job.has_maps() ? mapped_sources(job.sources) : job.sources)
-    sources += " " + source.string();
+  for (const fs::path& source : mapped_sources(job.sources)) sources += " " + source.string();
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
-  for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value);
+  for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value.text);
   const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
   const std::string map_registers =
       job.options.registers ? "" : replace_all(kRegistersToWires, "@FOLDER@", job.folder.string());
@@ -249,15 +247,13 @@ SynthesisResult make(const Job& job) {
 std::string job_key(const Job& job) {
   Fingerprint key;
   key.add(job.top);
-  for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value));
+  for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value.text));
   for (const fs::path& source : job.sources) key.add(read_text(source));
   for (const fs::path& header : verilog_files(include_folders(job.sources), ".vh")) key.add(read_text(header));
   for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
     for (const fs::path& script : verilog_files({scripts()}, extension)) key.add(read_text(script));
   }
-  if (job.has_maps()) {
-    for (const fs::path& map : verilog_files({maps()}, ".v")) key.add(read_text(map));
-  }
+  for (const fs::path& map : verilog_files({maps()}, ".v")) key.add(read_text(map));
   if (job.is_standard_cells()) {
     key.add(read_text(liberty_path(job.library)));
     key.add(read_text(lef_path(job.library)));
@@ -304,7 +300,8 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
                            const SynthesisOptions& options, const SynthesisProgress& progress) {
   Job job{top, parameters, library, options, options.sources, {}};
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
-  if (job.sources.empty()) job.sources = verilog_files({rtl, rtl / "lib"}, ".v");
+  if (job.sources.empty())
+    job.sources = verilog_files({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
   for (fs::path& source : job.sources) source = fs::absolute(source);
 
   const fs::path cache = cache_folder(options);

@@ -8,6 +8,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wrinkle {
@@ -15,8 +16,17 @@ namespace wrinkle {
 // The scripts in sim/synthesis/scripts: one for standard cells, one for each FPGA.
 enum class CellLibrary { kOsu035, kOsu018, kIce40, kEcp5, kXilinx };
 
+// The value of a Verilog parameter: a number, or a constant as Yosys writes it.
+struct VerilogValue {
+  VerilogValue(std::int64_t number) : text(std::to_string(number)) {}
+  VerilogValue(std::string constant) : text(std::move(constant)) {}
+  bool operator==(const VerilogValue&) const = default;
+
+  std::string text;
+};
+
 // Verilog names and values.
-using VerilogParameters = std::map<std::string, std::int64_t>;
+using VerilogParameters = std::map<std::string, VerilogValue>;
 
 // Every member is part of the cache key.
 struct SynthesisOptions {
@@ -34,7 +44,7 @@ struct SynthesisOptions {
   bool place_and_route = false;
   // How many single faults of the netlist are tried, to measure what its check finds.
   int faults = 0;
-  // Verilog files; empty: rtl/*.v and rtl/lib/*.v of this project.
+  // Verilog files; empty: those of rtl/ and its folders in this project.
   std::vector<std::filesystem::path> sources;
   // Where results are kept; empty: $WRINKLE_CACHE/synthesis, else `synthesis` in the build directory.
   std::filesystem::path cache;
@@ -87,8 +97,8 @@ struct NetlistDiffers : SynthesisError {
 // Called with what is being done when a result is not in the cache.
 using SynthesisProgress = std::function<void(const std::string& message)>;
 
-// Synthesises module `top` alone and compares the netlist with the Verilog; throws NetlistDiffers. Parameters not given keep the values of the source. Safe to call from several threads
-// and processes.
+// Synthesises module `top` alone and compares the netlist with the Verilog; throws NetlistDiffers. Parameters not given
+// keep the values of the source. Safe to call from several threads and processes.
 SynthesisResult synthesise(const std::string& top, const VerilogParameters& parameters, CellLibrary library,
                            const SynthesisOptions& options = {}, const SynthesisProgress& progress = {});
 

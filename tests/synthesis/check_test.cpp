@@ -126,7 +126,8 @@ module held (input clk, input rst, input [1:0] step_i, output [1:0] q_o);
   assign q_o = q_q;
 endmodule
 )",
-       "read_verilog " + (options_.folder / "source.v").string() + "\nsynth -flatten\ndfflegalize -cell $_DFF_P_ x\nopt_clean");
+       "read_verilog " + (options_.folder / "source.v").string() +
+           "\nsynth -flatten\ndfflegalize -cell $_DFF_P_ x\nopt_clean");
   std::ofstream(options_.folder / "other.v") << R"(
 module held (input clk, input rst, input [1:0] step_i, output [1:0] q_o);
   reg [1:0] q_q;
@@ -148,14 +149,13 @@ TEST_F(NetlistCheck, LibertyFunctionsAreThoseOfTheVendorsVerilog) {
     int inputs;
     const char* outputs;
   };
-  static constexpr Cell kCells[] = {
-      {"BUFX2 BUFX4 CLKBUF1 CLKBUF2 CLKBUF3 INVX1 INVX2 INVX4 INVX8", 1, "Y"},
-      {"AND2X1 AND2X2 NAND2X1 NOR2X1 OR2X1 OR2X2 XNOR2X1 XOR2X1", 2, "Y"},
-      {"HAX1", 2, "YC YS"},
-      {"AOI21X1 NAND3X1 NOR3X1 OAI21X1", 3, "Y"},
-      {"FAX1", 3, "YC YS"},
-      {"MUX2X1", -1, "Y"},
-      {"AOI22X1 OAI22X1", 4, "Y"}};
+  static constexpr Cell kCells[] = {{"BUFX2 BUFX4 CLKBUF1 CLKBUF2 CLKBUF3 INVX1 INVX2 INVX4 INVX8", 1, "Y"},
+                                    {"AND2X1 AND2X2 NAND2X1 NOR2X1 OR2X1 OR2X2 XNOR2X1 XOR2X1", 2, "Y"},
+                                    {"HAX1", 2, "YC YS"},
+                                    {"AOI21X1 NAND3X1 NOR3X1 OAI21X1", 3, "Y"},
+                                    {"FAX1", 3, "YC YS"},
+                                    {"MUX2X1", -1, "Y"},
+                                    {"AOI22X1 OAI22X1", 4, "Y"}};
   for (const CellLibrary library : {CellLibrary::kOsu035, CellLibrary::kOsu018}) {
     std::string ports, cells;
     for (const Cell& kind : kCells) {

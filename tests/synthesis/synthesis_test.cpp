@@ -212,7 +212,8 @@ std::map<std::string, double> liberty_areas(CellLibrary library, const fs::path&
     design += "module one_" + cell + "; " + cell + " cell_i (); endmodule\n";
   }
   std::ofstream(folder / "cells.v") << design;
-  script += "read_verilog " + (folder / "cells.v").string() + "\nstat -liberty " + liberty_path(library).string() + "\n";
+  script +=
+      "read_verilog " + (folder / "cells.v").string() + "\nstat -liberty " + liberty_path(library).string() + "\n";
   std::ofstream(folder / "areas.ys") << script;
   EXPECT_EQ(Process({"yosys", "-Q", "-s", folder / "areas.ys"}, folder / "areas.log").wait(), 0);
   const std::string log = read_text(folder / "areas.log");
