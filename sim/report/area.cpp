@@ -68,6 +68,7 @@ void add(SynthesisResult& sum, const SynthesisResult& other) {
   sum.nand2 += other.nand2;
   sum.flip_flops += other.flip_flops;
   for (const auto& [type, count] : other.cells) sum.cells[type] += count;
+  sum.checked.clocks = std::min(sum.checked.clocks, other.checked.clocks);
   sum.critical_path_ns = std::max(sum.critical_path_ns, other.critical_path_ns);
 }
 
@@ -126,6 +127,12 @@ double AreaReport::critical_path_ns() const {
   double path = flat.critical_path_ns;
   for (const StageArea& stage : stages) path = std::max(path, stage.result.critical_path_ns);
   return path;
+}
+
+int AreaReport::clocks_equal() const {
+  int clocks = stages.empty() ? 0 : stages.front().result.checked.clocks;
+  for (const StageArea& stage : stages) clocks = std::min(clocks, stage.result.checked.clocks);
+  return clocks;
 }
 
 double AreaReport::deviation() const { return flat.um2 > 0 ? (sum_um2() - lent_um2 - flat.um2) / flat.um2 : 0; }
@@ -242,6 +249,7 @@ nlohmann::json to_json(const NormalizerArea& area) {
           {"nand2", area.result.nand2},
           {"um2", area.result.um2},
           {"critical_path_ns", area.result.critical_path_ns},
+          {"checked", to_json(area.result.checked)},
           {"provenance", area.result.provenance}};
 }
 

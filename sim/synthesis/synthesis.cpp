@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "sim/synthesis/check.h"
 #include "sim/synthesis/pins.h"
 #include "sim/synthesis/result.h"
 #include "tb/fingerprint.h"
@@ -19,6 +20,9 @@ namespace wrinkle {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Another number makes every kept result be checked anew.
+constexpr int kCheckVersion = 1;
 
 // One run: what to make, from what, where.
 struct Job {
@@ -56,6 +60,12 @@ fs::path scripts() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" /
 // values, but with an arrangement of their own.
 fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "maps"; }
 
+std::string script_text(const fs::path& name) {
+  const std::string text = read_text(scripts() / name);
+  if (text.empty()) throw SynthesisError((scripts() / name).string() + ": script not found");
+  return text;
+}
+
 std::vector<fs::path> verilog_files(const std::vector<fs::path>& folders, const std::string& extension) {
   std::vector<fs::path> files;
   for (const fs::path& folder : folders) {
@@ -83,6 +93,19 @@ std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
   return {folders.begin(), folders.end()};
 }
 
+// Modules that are synthesised in the place of those of the same names in rtl/, with the same ports, parameters and
+// values, but with an arrangement of their own. The check of the netlist reads those of rtl/.
+fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "maps"; }
+
+// The sources with every module that has a map replaced by it; a map that replaces nothing may be part of another.
+std::vector<fs::path> mapped_sources(const std::vector<fs::path>& sources) {
+  std::vector<fs::path> mapped = verilog_files({maps()}, ".v");
+  for (const fs::path& source : sources) {
+    if (!fs::exists(maps() / source.filename())) mapped.push_back(source);
+  }
+  return mapped;
+}
+
 std::string replace_all(std::string text, const std::string& from, const std::string& to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
     text.replace(at, from.size(), to);
@@ -90,10 +113,17 @@ std::string replace_all(std::string text, const std::string& from, const std::st
   return text;
 }
 
+// Verilog of what an FPGA's cells do: Yosys's own, and what it has only the ports of.
+std::string simulation_models(CellLibrary library) {
+  const std::string name = cell_library_name(library);
+  const fs::path more = scripts() / (name + "_models.v");
+  return fmt::format("+/{}/cells_sim.v{}", name, fs::exists(more) ? " " + more.string() : "");
+}
+
 // What the @...@ of a script stand for.
 std::string filled_in(const Job& job, const std::string& script) {
   std::string sources, includes, parameters;
-  for (const fs::path& source : job.sources) sources += " " + source.string();
+  for (const fs::path& source : mapped_sources(job.sources)) sources += " " + source.string();
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
   for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value.text);
   const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
@@ -101,22 +131,23 @@ std::string filled_in(const Job& job, const std::string& script) {
       job.options.registers ? "" : replace_all(kRegistersToWires, "@FOLDER@", job.folder.string());
   const std::string map_products =
       map_registers + (job.options.full_adders ? techmap("square.v") + techmap("signed_multiply.v") + "opt\n" : "");
-  const std::string map_adders = job.options.full_adders
-                                     ? techmap("ripple.v") + "techmap\nopt -full\nextract_fa -fa\nopt_clean\n" +
-                                           techmap("full_adder.v") + "techmap"
-                                     : "techmap";
+  // Rounds enough that no full adder of a stage keeps a constant pin.
+  std::string constant_pins;
+  for (int round = 0; round < 8; ++round) constant_pins += techmap("full_adder_constant.v") + "techmap\nopt -full\n";
 
-  std::string text = read_text(scripts() / script);
-  if (text.empty()) throw SynthesisError((scripts() / script).string() + ": script not found");
+  const fs::path adders = job.options.adders.empty() ? "full_adders.ys" : job.options.adders;
+  std::string text = script_text(script);
+  text = replace_all(text, "@MAP_ADDERS@", job.options.full_adders ? script_text(adders) : "techmap");
+  text = replace_all(text, "@CONSTANT_PINS@", constant_pins);
   text = replace_all(text, "@SOURCES@", sources);
   text = replace_all(text, "@INCLUDES@", includes);
   text = replace_all(text, "@TOP@", job.top);
   text = replace_all(text, "@PARAMETERS@", parameters);
   text = replace_all(text, "@FOLDER@", job.folder);
   text = replace_all(text, "@SCRIPTS@", scripts());
+  text = replace_all(text, "@MODELS@", simulation_models(job.library));
   text = replace_all(text, "@EFFORT@", job.options.effort);
   text = replace_all(text, "@MAP_PRODUCTS@", map_products);
-  text = replace_all(text, "@MAP_ADDERS@", map_adders);
   if (job.is_standard_cells()) text = replace_all(text, "@LIBERTY@", liberty_path(job.library));
   return text;
 }
@@ -154,11 +185,11 @@ SynthesisResult cell_counts(const Job& job) {
   return result;
 }
 
-void add_area(SynthesisResult& result, const fs::path& liberty) {
-  const auto areas = liberty_areas(liberty);
+void add_area(SynthesisResult& result, const fs::path& lef) {
+  const auto areas = lef_areas(lef);
   for (const auto& [type, number] : result.cells) {
     const auto area = areas.find(type);
-    if (area == areas.end()) throw SynthesisError(fmt::format("cell {} is not in {}", type, liberty.string()));
+    if (area == areas.end()) throw SynthesisError(fmt::format("cell {} is not in {}", type, lef.string()));
     result.um2 += area->second * number;
   }
   result.nand2 = result.um2 / areas.at("NAND2X1");
@@ -177,6 +208,12 @@ double placed_path(const Job& job) {
   return 1000.0 / clocks.front().at("achieved").get<double>();
 }
 
+NetlistChecked checked(const Job& job) {
+  run_script(job, {"yosys", "-Q", "-s"}, job.is_standard_cells() ? "cells_gates.ys" : "fpga_gates.ys");
+  return check_netlist({job.top, job.parameters, job.sources, include_folders(job.sources), job.folder / "gates.blif",
+                        job.folder, job.options.registers, job.options.faults});
+}
+
 std::string provenance(const Job& job) {
   static const std::string yosys = first_line({"yosys", "-V"});
   std::string text = fmt::format("{}, {}, ", yosys, cell_library_name(job.library));
@@ -193,8 +230,9 @@ std::string provenance(const Job& job) {
 SynthesisResult make(const Job& job) {
   SynthesisResult result = cell_counts(job);
   result.provenance = provenance(job);
+  result.checked = checked(job);
   if (job.is_standard_cells()) {
-    add_area(result, liberty_path(job.library));
+    add_area(result, lef_path(job.library));
     // A module of wires alone comes out a hair below 0.
     const std::string timing = run_script(job, {"sta", "-no_splash", "-exit"}, "timing.tcl");
     result.critical_path_ns = std::max(0.0, number_after(timing, "critical_path_ns"));
@@ -212,9 +250,14 @@ std::string job_key(const Job& job) {
   for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
     for (const fs::path& script : verilog_files({scripts()}, extension)) key.add(read_text(script));
   }
-  if (job.is_standard_cells()) key.add(read_text(liberty_path(job.library)));
-  key.add(fmt::format("{} {}", job.is_placed(), job.options.full_adders));
+  for (const fs::path& map : verilog_files({maps()}, ".v")) key.add(read_text(map));
+  if (job.is_standard_cells()) {
+    key.add(read_text(liberty_path(job.library)));
+    key.add(read_text(lef_path(job.library)));
+  }
+  key.add(fmt::format("{} {} {} {}", job.is_placed(), job.options.full_adders, job.options.faults, kCheckVersion));
   key.add(job.options.effort);
+  if (!job.options.adders.empty()) key.add(read_text(job.options.adders));
   if (!job.options.registers) key.add(std::string(kRegistersToWires) + kWires);
   key.add(provenance(job));
   return key.hex();
@@ -224,6 +267,11 @@ fs::path cache_folder(const SynthesisOptions& options) {
   if (!options.cache.empty()) return fs::absolute(options.cache);
   const char* chosen = std::getenv("WRINKLE_CACHE");
   return chosen != nullptr && *chosen != '\0' ? fs::absolute(chosen) / "synthesis" : fs::path(WRINKLE_SYNTHESIS_DIR);
+}
+
+fs::path library_file(CellLibrary library, const char* extension) {
+  const std::string name = cell_library_name(library);
+  return fs::path("/usr/share/qflow/tech") / name / (name + "_stdcells" + extension);
 }
 
 // Removes a folder with all that is in it when it goes.
@@ -242,10 +290,8 @@ std::string cell_library_name(CellLibrary library) {
   return kNames[static_cast<std::size_t>(library)];
 }
 
-fs::path liberty_path(CellLibrary library) {
-  const std::string name = cell_library_name(library);
-  return fs::path("/usr/share/qflow/tech") / name / (name + "_stdcells.lib");
-}
+fs::path liberty_path(CellLibrary library) { return library_file(library, ".lib"); }
+fs::path lef_path(CellLibrary library) { return library_file(library, ".lef"); }
 
 SynthesisResult synthesise(const std::string& top, const VerilogParameters& parameters, CellLibrary library,
                            const SynthesisOptions& options, const SynthesisProgress& progress) {
