@@ -56,10 +56,6 @@ endmodule
 
 fs::path scripts() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "scripts"; }
 
-// Modules that are synthesised in the place of those of the same names in rtl/, with the same ports, parameters and
-// values, but with an arrangement of their own.
-fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "maps"; }
-
 std::string script_text(const fs::path& name) {
   const std::string text = read_text(scripts() / name);
   if (text.empty()) throw SynthesisError((scripts() / name).string() + ": script not found");
@@ -76,15 +72,6 @@ std::vector<fs::path> verilog_files(const std::vector<fs::path>& folders, const 
   }
   std::sort(files.begin(), files.end());
   return files;
-}
-
-// The sources with every module that has a map replaced by it; a map that replaces nothing may be part of another.
-std::vector<fs::path> mapped_sources(const std::vector<fs::path>& sources) {
-  std::vector<fs::path> mapped = verilog_files({maps()}, ".v");
-  for (const fs::path& source : sources) {
-    if (!fs::exists(maps() / source.filename())) mapped.push_back(source);
-  }
-  return mapped;
 }
 
 std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
