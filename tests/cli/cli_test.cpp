@@ -166,10 +166,10 @@ TEST_F(Cli, FiguresAreMeasuredAndWritten) {
 // In a copy of the RTL bit 2 of the texture's normals is inverted. The program exits with 1 and names the stage.
 TEST_F(Cli, WrongRtlExitsOneAndNamesTheStage) {
   fs::copy(fs::path(WRINKLE_SOURCE_DIR) / "rtl", folder_ / "rtl", fs::copy_options::recursive);
-  const fs::path file = folder_ / "rtl/wrinkle_perturb.v";
+  const fs::path file = folder_ / "rtl/perturb/wrinkle_perturb_normal_map.v";
   std::ifstream in(file);
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  const std::string right = "draw_bump_i ? texture_n_i";
+  const std::string right = "draw_bump_i ? bump_i";
   const std::size_t at = text.find(right);
   ASSERT_NE(at, std::string::npos);
   text.replace(at, right.size(), right + " ^ 4");

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bitset>
 #include <cmath>
 #include <filesystem>
 
@@ -77,9 +78,17 @@ TEST(Modules, OnlyWhatAModuleNeeds) {
   EXPECT_THAT(names, testing::Not(testing::Contains("wrinkle_texture_filter")));
   Config config = load_config("standard");
   config.screen_bits = 7;
-  const VerilogParameters expected{
-      {"SCREEN_BITS", 7}, {"SUBPIXEL_BITS", config.subpixel_bits}, {"SHARING", 0}, {"BUFFERING", 0}};
-  EXPECT_EQ(module_parameters("wrinkle_scan", config), expected);
+  const auto binary = [](int value) { return "32'b" + std::bitset<32>(static_cast<unsigned>(value)).to_string(); };
+  const VerilogParameters expected{{"SCREEN_BITS", binary(7)},
+                                   {"SUBPIXEL_BITS", binary(config.subpixel_bits)},
+                                   {"SHARING", binary(0)},
+                                   {"BUFFERING", binary(0)},
+                                   {"WORDS", binary(4)}};
+  const StageModule scan = stage_module("scan", config), perturb = stage_module("perturb", config);
+  EXPECT_EQ(scan.module, "wrinkle_scan");
+  EXPECT_EQ(scan.parameters, expected);
+  EXPECT_EQ(perturb.module, "wrinkle_perturb_normal_map");
+  EXPECT_FALSE(core_parameters(config).contains("BLOCK_EXPONENT"));
 }
 
 // The values N, L and H are unit vectors in either order of normalization, since mantissas are multiplied by their
