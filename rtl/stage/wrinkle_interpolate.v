@@ -4,7 +4,8 @@
 // those of the pixel on which the scan stands: latency 0, no handshake of its own. They come out in one vector: the
 // fields whose first reader is the latest stage stand in the low bits, then in the order of the list, so that what a
 // stage carries along is one part of it. BUFFERING double: the next packet shifts into a shadow while this one is
-// drawn; single: into the interpolators, when it is drawn. Does not correct for perspective: there u and v are u*q and v*q.
+// drawn; single: into the interpolators, when it is drawn. Does not correct for perspective: there u and v are u*q and
+// v*q.
 module wrinkle_interpolate #(
   parameter SHARING    = 0,
   parameter BUFFERING  = 0,

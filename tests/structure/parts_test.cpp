@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <map>
-
-#include "sim/config_file.h"
+#include "golden/config/config.h"
 #include "tests/structure/tree.h"
 
 namespace wrinkle {
@@ -80,13 +78,23 @@ Faults faults_of_stages(const fs::path& root) {
   return faults;
 }
 
-// `datapath_of` tells the datapath of every named configuration.
-Faults faults_of_datapaths(const fs::path& root, const std::map<std::string, std::string>& datapath_of) {
+// The datapath of a configuration file: its own, that of the file it is based on, or the default.
+std::string datapath_of(const fs::path& root, const std::string& config) {
+  const std::string text = text_of(root / "sim/configs" / (config + ".toml"));
+  if (const auto own = matches(text, "(?:^|\n)datapath = \"(\\w+)\""); !own.empty()) return own[0];
+  if (const auto base = matches(text, "(?:^|\n)base = \"(\\w+)\""); !base.empty()) return datapath_of(root, base[0]);
+  const std::vector<std::string> names = datapaths_of(root);
+  const auto standard = static_cast<std::size_t>(Config{}.datapath);
+  return standard < names.size() ? names[standard] : "";
+}
+
+Faults faults_of_datapaths(const fs::path& root) {
   std::vector<std::string> configured, drawn;
-  for (const auto& [config, datapath] : datapath_of) configured.push_back(datapath);
+  for (const fs::path& config : files_below(root / "sim/configs", {".toml"}))
+    configured.push_back(datapath_of(root, config.stem()));
   for (const fs::path& scene : files_below(root / "sim/scenes", {".toml"})) {
     for (const std::string& config : matches(text_of(scene), "(?:^|\n)config = \"(\\w+)\""))
-      if (datapath_of.contains(config)) drawn.push_back(datapath_of.at(config));
+      drawn.push_back(datapath_of(root, config));
   }
   Faults faults;
   for (const std::string& name : datapaths_of(root)) {
@@ -120,12 +128,7 @@ TEST(Stages, HaveAllTheirParts) {
 
 TEST(Datapaths, HaveAllTheirParts) {
   ASSERT_THAT(datapaths_of(WRINKLE_SOURCE_DIR), testing::Contains("phong"));
-  const auto is_datapath = [](const Parameter& parameter) { return parameter.name == "datapath"; };
-  const Parameter& datapath = *std::find_if(parameters().begin(), parameters().end(), is_datapath);
-  std::map<std::string, std::string> datapath_of;
-  for (const std::string& name : named_configs())
-    datapath_of[name] = datapath.values[std::size_t(load_config(name).*datapath.member)];
-  EXPECT_THAT(faults_of_datapaths(WRINKLE_SOURCE_DIR, datapath_of), IsEmpty());
+  EXPECT_THAT(faults_of_datapaths(WRINKLE_SOURCE_DIR), IsEmpty());
 }
 
 TEST_F(Scratch, AMissingPartOfAStageIsNamed) {
@@ -152,25 +155,27 @@ TEST_F(Scratch, AMissingPartOfAStageIsNamed) {
 }
 
 TEST_F(Scratch, AMissingPartOfADatapathIsNamed) {
-  const std::map<std::string, std::string> configs{{"haunted", "ghost"}};
   write("golden/datapath/list.def", "#include \"golden/datapath/ghost.h\"\n");
   write("docs/architecture.md", "### ghost\n");
+  write("sim/configs/old.toml", "datapath = \"ghost\"\n");
+  write("sim/configs/haunted.toml", "base = \"old\"\n");
   write("sim/scenes/house.toml", "config = \"haunted\"\n");
   for (const Part& part : parts_of_datapath("ghost")) write(part.file);
-  EXPECT_THAT(faults_of_datapaths(root_, configs), IsEmpty());
+  EXPECT_THAT(faults_of_datapaths(root_), IsEmpty());
   for (const Part& part : parts_of_datapath("ghost")) {
     fs::remove(root_ / part.file);
-    EXPECT_THAT(faults_of_datapaths(root_, configs),
-                ElementsAre("datapath ghost has no " + part.what + ": " + part.file));
+    EXPECT_THAT(faults_of_datapaths(root_), ElementsAre("datapath ghost has no " + part.what + ": " + part.file));
     write(part.file);
   }
-  EXPECT_THAT(faults_of_datapaths(root_, {}),
+  write("sim/scenes/house.toml", "config = \"young\"\n");
+  EXPECT_THAT(faults_of_datapaths(root_), ElementsAre(HasSubstr("ghost has no scene")));
+  write("sim/configs/old.toml", "datapath = \"spirit\"\n");
+  EXPECT_THAT(faults_of_datapaths(root_),
               ElementsAre(HasSubstr("ghost has no configuration"), HasSubstr("ghost has no scene")));
-  write("sim/scenes/house.toml", "config = \"standard\"\n");
-  EXPECT_THAT(faults_of_datapaths(root_, configs), ElementsAre(HasSubstr("ghost has no scene")));
+  write("sim/configs/old.toml", "datapath = \"ghost\"\n");
   write("sim/scenes/house.toml", "config = \"haunted\"\n");
   write("docs/architecture.md", "");
-  EXPECT_THAT(faults_of_datapaths(root_, configs), ElementsAre(HasSubstr("ghost has no heading")));
+  EXPECT_THAT(faults_of_datapaths(root_), ElementsAre(HasSubstr("ghost has no heading")));
 }
 
 }  // namespace
