@@ -125,11 +125,6 @@ class Scratch : public testing::Test {
   fs::path root_;
 };
 
-TEST(Stages, HaveAllTheirParts) {
-  ASSERT_THAT(stages_of(WRINKLE_SOURCE_DIR), testing::SizeIs(testing::Ge(9u)));
-  EXPECT_THAT(faults_of_stages(WRINKLE_SOURCE_DIR), IsEmpty());
-}
-
 TEST(Datapaths, HaveAllTheirParts) {
   ASSERT_THAT(datapaths_of(WRINKLE_SOURCE_DIR), testing::Contains("phong"));
   EXPECT_THAT(faults_of_datapaths(WRINKLE_SOURCE_DIR), IsEmpty());

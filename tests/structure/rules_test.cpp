@@ -10,11 +10,9 @@ namespace wrinkle {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::vector<std::string> kVerilog{".v", ".vh"};
-const std::vector<std::string> kSources{".v", ".vh", ".h", ".cpp", ".def"};
 
 std::string name_in(const fs::path& root, const fs::path& file) { return fs::relative(file, root).generic_string(); }
 
@@ -30,30 +28,6 @@ Faults long_files(const fs::path& root) {
       faults.push_back(name_in(root, file) + " has " + std::to_string(lines) + " lines, more than " +
                        std::to_string(kMost));
   }
-  return faults;
-}
-
-// Stages know widths; the core and its include file choose. Comments count: who explains by a datapath depends on it.
-Faults names_of_datapaths(const fs::path& root) {
-  static const std::regex name("DATAPATH|Datapath|has_blinn");
-  Faults faults;
-  for (const char* folder : {"rtl", "golden/pixel", "golden/exact", "golden/triangle", "tb"}) {
-    for (const fs::path& file : files_below(root / folder, kSources)) {
-      const std::string where = name_in(root, file);
-      const bool may = where == "rtl/wrinkle_core.v" || where == "rtl/wrinkle_config.vh";
-      if (!may && std::regex_search(text_of(file), name)) faults.push_back(where + " names a datapath");
-    }
-  }
-  return faults;
-}
-
-// Not every tool that takes Verilog makes a memory out of an `initial` block.
-Faults initial_blocks(const fs::path& root) {
-  static const std::regex initial("\\binitial\\b");
-  Faults faults;
-  for (const fs::path& file : files_below(root / "rtl", kVerilog))
-    if (std::regex_search(without_comments(text_of(file)), initial))
-      faults.push_back(name_in(root, file) + " has an initial block");
   return faults;
 }
 
@@ -78,26 +52,6 @@ TEST_F(Rule, VerilogFilesAreShort) {
   write("rtl/unit/wrinkle_short.v", std::string(250, '\n'));
   write("rtl/unit/wrinkle_long.v", std::string(251, '\n'));
   EXPECT_THAT(long_files(root_), ElementsAre("rtl/unit/wrinkle_long.v has 251 lines, more than 250"));
-}
-
-TEST_F(Rule, OnlyTheCoreAndItsIncludeNameDatapaths) {
-  EXPECT_THAT(names_of_datapaths(project_), IsEmpty());
-  write("rtl/wrinkle_core.v", "DATAPATH");
-  write("rtl/wrinkle_config.vh", "DATAPATH");
-  write("rtl/stage/wrinkle_light.v", "parameter DATAPATH = 1");
-  write("golden/pixel/light-inl.h", "if (c.has_blinn())");
-  write("golden/datapath/blinn.h", "Datapath::kBlinn");
-  write("tb/frame.cpp", "// what the Datapath does");
-  EXPECT_THAT(names_of_datapaths(root_), ElementsAre(HasSubstr("rtl/stage/wrinkle_light.v"),
-                                                     HasSubstr("golden/pixel/light-inl.h"), HasSubstr("tb/frame.cpp")));
-}
-
-TEST_F(Rule, VerilogHasNoInitialBlocks) {
-  EXPECT_THAT(initial_blocks(project_), IsEmpty());
-  write("rtl/unit/wrinkle_table.v", "// no initial block\nwire initial_value;\n");
-  EXPECT_THAT(initial_blocks(root_), IsEmpty());
-  write("rtl/unit/wrinkle_table.v", "initial begin\nend\n");
-  EXPECT_THAT(initial_blocks(root_), ElementsAre(HasSubstr("wrinkle_table.v")));
 }
 
 }  // namespace
