@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/draw.h"
 
 namespace wrinkle {

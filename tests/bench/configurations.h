@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
+#include "golden/datapath/datapaths.h"
 
 namespace wrinkle {
 
