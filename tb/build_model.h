@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 namespace wrinkle {
 

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 // Direction and width by name.
 using Ports = std::map<std::string, std::pair<std::string, int>>;
 
-Ports listed_ports(const Config& c) {
+Ports listed_ports(const Shape& c) {
   Ports ports{{"clk", {"input", 1}}, {"rst", {"input", 1}}};
   const auto stream = [&](const std::string& name, const char* forth, const char* back) {
     const bool in = std::string(forth) == "_i";
