@@ -34,7 +34,7 @@ template <class T>
 using PerStage = std::array<T, kStageNames.size()>;
 
 // How often a stage hands on one fragment.
-inline PerStage<int> stage_moves([[maybe_unused]] const Config& c) {
+inline PerStage<int> stage_moves([[maybe_unused]] const Shape& c) {
   return {
 #define WRINKLE_STAGE(name, title, moves) moves,
 #include "golden/stages.def"

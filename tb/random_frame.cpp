@@ -145,7 +145,7 @@ ScreenTriangle random_triangle(const Config& config, const DrawState& state, con
     vertex.N = random_vector(random);
     vertex.L = random_vector(random);
     vertex.H = random_vector(random);
-    if (!config.has_blinn()) continue;
+    if (Shape(config).frame_unbounded == 0) continue;
     // Mostly a normal perturbed by less than its length.
     vertex.A = random_vector(random);
     const double scale = std::exp2(-3 * random.real());

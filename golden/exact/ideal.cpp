@@ -73,7 +73,7 @@ void draw_ideal(const Config& config, const Frame& frame, const ExactSink& sink)
     places.surface[i] = triangle.triangle().surface.get();
     if (places.surface[i] != nullptr) places.parameter[i] = parameter_at(triangle.corners(), triangle.weights(x, y));
   };
-  exact::for_each_batch(config, frame, put, [&](const exact::DrawContext& draw, exact::Fragments& batch) {
+  exact::for_each_batch(Shape(config), frame, put, [&](const exact::DrawContext& draw, exact::Fragments& batch) {
     const std::size_t index = batch.draw;
     const HeightField* height = index < frame.ideal.height.size() ? frame.ideal.height[index].get() : nullptr;
     exact::run_stages(draw, kAllStages, batch);

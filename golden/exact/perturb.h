@@ -13,8 +13,8 @@ inline Vec3 displace(const DrawWords& draw, Vec3 a, Vec3 b, Vec3 c, Vec2 gradien
 }
 
 // The perturbed normal of fragment i, by the datapath of the configuration.
-inline Vec3 perturb(const Config& config, const DrawWords& draw, const Fragments& batch, std::size_t i) {
-  if (config.has_blinn())
+inline Vec3 perturb(const Shape& config, const DrawWords& draw, const Fragments& batch, std::size_t i) {
+  if (config.frame_unbounded != 0)
     return displace(draw, batch.interpolated_a[i], batch.interpolated_b[i], batch.interpolated_c[i], batch.gradient[i]);
   return draw.bump ? batch.texture_n[i] : batch.interpolated_n[i];
 }

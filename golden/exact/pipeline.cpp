@@ -18,14 +18,14 @@ void for_each(const Fragments& batch, Visit&& visit) {
 
 }  // namespace
 
-DrawContext draw_context(const Config& config, const Frame& frame, const Draw& draw) {
+DrawContext draw_context(const Shape& config, const Frame& frame, const Draw& draw) {
   DrawContext context{config, quantise(config, draw.state, frame.textures), reflectance(config, draw.state.material),
                       draw.state.L, draw.state.H};
   if (context.words.textured) context.texture = &frame.exact_textures.at(static_cast<std::size_t>(draw.state.texture));
   return context;
 }
 
-Interpolator::Interpolator(const Config& config, const ScreenTriangle& triangle)
+Interpolator::Interpolator(const Shape& config, const ScreenTriangle& triangle)
     : config_(&config),
       triangle_(&triangle),
       corners_(sort_corners(config, triangle)),
@@ -72,7 +72,7 @@ void texture(const DrawContext& draw, const ExactTexture* texels, Fragments& bat
   for_each(batch, [&](std::size_t i) {
     const Sample texel = sample(draw.config, draw.words, *texels, {batch.u[i], batch.v[i]}, batch.lod[i]);
     batch.texture_n.set(i, {texel[0], texel[1], texel[2]});
-    if (draw.config.has_blinn()) {
+    if (draw.config.frame_unbounded != 0) {
       batch.gradient.set(i, {texel[0], texel[1]});
       // Along the normal (-fu, -fv, 1), where u and v are lengths; the third component has the scale of the others.
       batch.texture_n.set(i, {-texel[0], -texel[1], texel[2]});
@@ -86,12 +86,12 @@ void perturb(const DrawContext& draw, Fragments& batch) {
 }
 
 void normalize(const DrawContext& draw, Fragments& batch) {
-  const Config& config = draw.config;
-  const bool has_planes = config.has_light_planes();
+  const Shape& config = draw.config;
+  const bool has_planes = config.has_light_planes != 0;
   for_each(batch, [&](std::size_t i) {
     const Vec3 l = has_planes ? normalize(config.normalizer_l, batch.interpolated_l[i]) : draw.l;
-    const Vec3 h = has_planes ? normalize(config.third_normalizer(), batch.interpolated_h[i]) : draw.h;
-    batch.n.set(i, config.has_normal() ? normalize(config.normalizer_n, batch.perturbed_n[i]) : Vec3{0, 0, 1});
+    const Vec3 h = has_planes ? normalize(config.third_normalizer, batch.interpolated_h[i]) : draw.h;
+    batch.n.set(i, config.normal_width != 0 ? normalize(config.normalizer_n, batch.perturbed_n[i]) : Vec3{0, 0, 1});
     batch.l.set(i, l);
     batch.h.set(i, config.is(Lighting::kPixelHalfangle) ? wrinkle::normalize(l + h) : h);
   });

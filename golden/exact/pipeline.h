@@ -14,19 +14,19 @@ namespace wrinkle::exact {
 
 // What the stages of one draw need to know.
 struct DrawContext {
-  const Config& config;
+  const Shape& config;
   DrawWords words;
   Reflectance reflectance;
   Vec3 l, h;                              // constant light vectors
   const ExactTexture* texture = nullptr;  // null where no texel is fetched
 };
-DrawContext draw_context(const Config& config, const Frame& frame, const Draw& draw);
+DrawContext draw_context(const Shape& config, const Frame& frame, const Draw& draw);
 
 // One triangle, ready to be interpolated. What its corners hold is made at the first pixel: a triangle that covers none
 // need not fit the formats.
 class Interpolator {
  public:
-  Interpolator(const Config& config, const ScreenTriangle& triangle);
+  Interpolator(const Shape& config, const ScreenTriangle& triangle);
 
   const ScreenTriangle& triangle() const { return *triangle_; }
   const Corners& corners() const { return corners_; }
@@ -37,7 +37,7 @@ class Interpolator {
   void put(const DrawContext& draw, int x, int y, std::size_t i, Fragments& batch);
 
  private:
-  const Config* config_;
+  const Shape* config_;
   const ScreenTriangle* triangle_;
   Corners corners_;
   Barycentric barycentric_;
@@ -60,7 +60,7 @@ void run_stages(const DrawContext& draw, unsigned stages, Fragments& batch);
 // Calls put(draw, triangle, x, y, i, batch) for every pixel of a frame, in order of triangles and, within one, of rows,
 // to fill in fragment i; and done(draw, batch) for each full or final batch of a draw.
 template <class Put, class Done>
-void for_each_batch(const Config& config, const Frame& frame, Put&& put, Done&& done) {
+void for_each_batch(const Shape& config, const Frame& frame, Put&& put, Done&& done) {
   Fragments batch;
   for (std::uint32_t index = 0; index < frame.draws.size(); ++index) {
     const DrawContext draw = draw_context(config, frame, frame.draws[index]);

@@ -51,7 +51,7 @@ struct PartSums {
 double ulp_of(int fraction_bits) { return std::ldexp(1.0, -fraction_bits); }
 
 // The values of a part against its twin, in units of their formats: those of the fragment i.
-void add_values(const Config& c, Part part, const Replay& replay, std::size_t i, PartSums& sums) {
+void add_values(const Shape& c, Part part, const Replay& replay, std::size_t i, PartSums& sums) {
   const exact::Fragments &r = replay.rounded(part), &e = replay.twin(part);
   const double vector = ulp_of(c.vector_bits), unit = ulp_of(c.unit_bits), dot_ulp = ulp_of(c.dot_bits);
   const double gradient = ulp_of(c.gradient_bits), code = ulp_of(c.texel_bits - 1);
@@ -63,35 +63,35 @@ void add_values(const Config& c, Part part, const Replay& replay, std::size_t i,
     if (present) sums.add_number((r.*column)[i], (e.*column)[i], ulp);
   };
   const auto add_texture = [&](double normal_ulp, double gradient_ulp) {
-    add_vector(textured && c.has_texture_normal(), &exact::Fragments::texture_n, normal_ulp);
-    if (!textured || !c.has_blinn()) return;
+    add_vector(textured && c.surface_is_z != 0, &exact::Fragments::texture_n, normal_ulp);
+    if (!textured || c.frame_unbounded == 0) return;
     sums.add_number(r.gradient[i].x, e.gradient[i].x, gradient_ulp);
     sums.add_number(r.gradient[i].y, e.gradient[i].y, gradient_ulp);
   };
   switch (part) {
     case Part::kInterpolate:
-      add_vector(c.has_normal_planes(), &exact::Fragments::interpolated_n, vector);
+      add_vector(c.frame_vectors == 1, &exact::Fragments::interpolated_n, vector);
       for (const auto plane :
            {&exact::Fragments::interpolated_a, &exact::Fragments::interpolated_b, &exact::Fragments::interpolated_c})
-        add_vector(c.has_blinn(), plane, ulp_of(c.wide_bits));
-      add_vector(c.has_light_planes(), &exact::Fragments::interpolated_l, vector);
-      return add_vector(c.has_light_planes() && c.has_specular(), &exact::Fragments::interpolated_h, vector);
+        add_vector(c.frame_unbounded != 0, plane, ulp_of(c.wide_bits));
+      add_vector(c.has_light_planes != 0, &exact::Fragments::interpolated_l, vector);
+      return add_vector(c.has_light_planes != 0 && c.glossy != 0, &exact::Fragments::interpolated_h, vector);
     case Part::kTexel:
       return add_texture(code, code);
     case Part::kFilter:
       return add_texture(vector, gradient);
     case Part::kPerturb:
-      return add_vector(c.has_normal(), &exact::Fragments::perturbed_n, ulp_of(c.normal_vector_bits()));
+      return add_vector(c.normal_width != 0, &exact::Fragments::perturbed_n, ulp_of(c.normal_bits));
     case Part::kNormalize:
       add_vector(true, &exact::Fragments::n, unit);
       add_vector(true, &exact::Fragments::l, unit);
-      return add_vector(c.has_specular(), &exact::Fragments::h, unit);
+      return add_vector(c.glossy != 0, &exact::Fragments::h, unit);
     case Part::kDot:
       add_number(true, &exact::Fragments::nl, dot_ulp);
-      return add_number(c.has_specular(), &exact::Fragments::nh, dot_ulp);
+      return add_number(c.glossy != 0, &exact::Fragments::nh, dot_ulp);
     case Part::kPower:
       add_number(true, &exact::Fragments::diffuse, dot_ulp);
-      return add_number(c.has_specular(), &exact::Fragments::specular, ulp_of(c.power_bits));
+      return add_number(c.glossy != 0, &exact::Fragments::specular, ulp_of(c.power_bits));
     case Part::kOutput:
       return sums.add_number(r.colour[i].x, e.colour[i].x, 1.0 / ((1 << c.colour_bits) - 1));
   }
@@ -127,7 +127,8 @@ ErrorReport measure_error(const std::string& config_name, const Config& config, 
   std::array<PartSums, kParts> sums;
   Parts every;
   every.fill(true);
-  for_each_replayed(config, frame, [&](Replay& replay) {
+  const Shape shape(config);
+  for_each_replayed(shape, frame, [&](Replay& replay) {
     report.fragments += replay.count();
     const Replay::Colours& replayed = replay.replay(every);
     for (std::size_t i = 0; i < replay.count(); ++i)
@@ -135,7 +136,7 @@ ErrorReport measure_error(const std::string& config_name, const Config& config, 
     replay.for_each_part([&](Part part, const Replay::Colours& alone, const Replay::Colours& without) {
       PartSums& sum = sums[std::size_t(part)];
       for (std::size_t i = 0; i < replay.count(); ++i) {
-        add_values(config, part, replay, i, sum);
+        add_values(shape, part, replay, i, sum);
         sum.add_colours(alone[i], without[i], replay.exact().colour[i]);
       }
     });

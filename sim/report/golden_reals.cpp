@@ -49,20 +49,20 @@ double full_scale(int bits) { return 1 / (1 - std::ldexp(1.0, -bits)); }
 
 }  // namespace
 
-GoldenReals::GoldenReals(const Config& config) : values_(values(config)), grey_(config.channel_count() == 1) {
+GoldenReals::GoldenReals(const Shape& config) : values_(values(config)), grey_(config.count == 1) {
   for (std::size_t i = 0; i < values_.size(); ++i) {
     if (values_[i].present) add(config, values_[i], i);
   }
 }
 
-void GoldenReals::add(const Config& config, const Value& value, std::size_t index) {
+void GoldenReals::add(const Shape& config, const Value& value, std::size_t index) {
   for (const Place& place : kPlaces) {
     if (place.stage != value.stage || place.name != value.name) continue;
     for (std::size_t k = 0; k < std::size_t(value.elements); ++k) {
       Element element{place.target, index, k, std::ldexp(1.0, -value.fraction_bits)};
       if (value.name == "decal") element.factor = full_scale(config.texel_bits), element.textured_only = true;
       if (value.name == "colour") element.factor = full_scale(config.colour_bits);
-      if (config.normalizes_after() && value.stage == "normalize") {
+      if (config.normalizes_after != 0 && value.stage == "normalize") {
         const auto is_scale = [](const Value& v) { return v.stage == "normalize" && v.name == "scale"; };
         element.scale = int(std::find_if(values_.begin(), values_.end(), is_scale) - values_.begin());
         element.scale_element = value.name == "n" ? 0 : value.name == "l" ? 1 : 2;

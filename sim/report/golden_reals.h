@@ -10,7 +10,7 @@ namespace wrinkle {
 
 class GoldenReals {
  public:
-  explicit GoldenReals(const Config& config);
+  explicit GoldenReals(const Shape& config);
 
   // Fragments [first, first + count) of a batch. Vectors that are normalized after the dot products are their mantissas
   // times their scales; full scale of colours is 1.
@@ -31,7 +31,7 @@ class GoldenReals {
     bool textured_only = false;  // else what fragment.def has is left
   };
 
-  void add(const Config& config, const Value& value, std::size_t index);
+  void add(const Shape& config, const Value& value, std::size_t index);
 
   std::vector<Value> values_;
   std::vector<Element> elements_;

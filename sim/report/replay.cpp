@@ -17,27 +17,27 @@ constexpr std::array kLastFirst{Part::kOutput,  Part::kPower,  Part::kDot,   Par
 
 // Calls visit(column) for the values that a part puts out: pointers to the columns of a batch.
 template <class Visit>
-void for_each_column(const Config& config, Part part, Visit&& visit) {
+void for_each_column(const Shape& config, Part part, Visit&& visit) {
   const auto only = [&](bool present, auto column) {
     if (present) visit(column);
   };
   switch (part) {
     case Part::kInterpolate:
-      only(config.has_normal_planes(), &Fragments::interpolated_n);
-      only(config.has_light_planes(), &Fragments::interpolated_l);
-      only(config.has_light_planes() && config.has_specular(), &Fragments::interpolated_h);
+      only(config.frame_vectors == 1, &Fragments::interpolated_n);
+      only(config.has_light_planes != 0, &Fragments::interpolated_l);
+      only(config.has_light_planes != 0 && config.glossy != 0, &Fragments::interpolated_h);
       for (const auto product : {&Fragments::interpolated_a, &Fragments::interpolated_b, &Fragments::interpolated_c})
-        only(config.has_blinn(), product);
+        only(config.frame_unbounded != 0, product);
       for (const auto coordinate : {&Fragments::u, &Fragments::v, &Fragments::lod})
-        only(config.has_texture(), coordinate);
+        only(config.textured != 0, coordinate);
       return;
     case Part::kTexel:
     case Part::kFilter:
-      only(config.has_texture_normal(), &Fragments::texture_n);
-      only(config.has_blinn(), &Fragments::gradient);
+      only(config.surface_is_z != 0, &Fragments::texture_n);
+      only(config.frame_unbounded != 0, &Fragments::gradient);
       return only(config.decal != 0, &Fragments::decal);
     case Part::kPerturb:
-      return only(config.has_normal(), &Fragments::perturbed_n);
+      return only(config.normal_width != 0, &Fragments::perturbed_n);
     case Part::kNormalize:
       for (const auto vector : {&Fragments::n, &Fragments::l, &Fragments::h}) visit(vector);
       return;
@@ -73,13 +73,12 @@ void run_twin(Part part, const exact::DrawContext& draw, Fragments& batch) {
 }
 
 // The codes of a texture as the real numbers that they stand for.
-ExactTexture decoded(const Config& config, const Texture& texture) {
+ExactTexture decoded(const Shape& config, const Texture& texture) {
   ExactTexture result{texture.log2_width, texture.log2_height, {}};
   const int bits = texture.component_bits;
   const double mask = std::ldexp(1.0, bits) - 1, half = std::ldexp(1.0, bits - 1);
-  const bool is_range = !config.has_blinn() && config.decode == int(Decode::kRange);
-  const double zero = is_range ? mask / 2 : half;
-  const std::size_t normals = config.has_blinn() ? 2 : config.has_texture_normal() ? 3 : 0;
+  const double zero = config.bump_offset / 2.0;
+  const auto normals = std::size_t(config.bump_components);
   for (const auto& level : texture.levels) {
     auto& texels = result.levels.emplace_back();
     for (const std::uint64_t word : level) {
@@ -101,7 +100,7 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
 // Finds the triangles of a frame again whose packets golden draws, in their order.
 class TriangleCursor {
  public:
-  TriangleCursor(const Config& config, const Frame& frame, const PacketStream& stream)
+  TriangleCursor(const Shape& config, const Frame& frame, const PacketStream& stream)
       : config_(config), frame_(frame), stream_(stream) {}
 
   // The triangle of a packet with the pixel (x, y). Packets come in order; pieces of one triangle share its id, and no
@@ -124,7 +123,7 @@ class TriangleCursor {
   }
 
  private:
-  const Config& config_;
+  const Shape& config_;
   const Frame& frame_;
   const PacketStream& stream_;
   std::uint32_t packet_ = 0, draw_ = 0;
@@ -194,7 +193,7 @@ void Replay::for_each_part(const PartVisit& visit) {
   }
 }
 
-void for_each_replayed(const Config& config, const Frame& frame, const std::function<void(Replay&)>& visit) {
+void for_each_replayed(const Shape& config, const Frame& frame, const std::function<void(Replay&)>& visit) {
   std::vector<ExactTexture> textures;
   for (const Texture& texture : frame.textures) textures.push_back(decoded(config, texture));
   const GoldenReals reals(config);

@@ -58,6 +58,6 @@ class Replay {
 };
 
 // Calls `visit` with all fragments of the frame, in golden's order.
-void for_each_replayed(const Config& config, const Frame& frame, const std::function<void(Replay&)>& visit);
+void for_each_replayed(const Shape& config, const Frame& frame, const std::function<void(Replay&)>& visit);
 
 }  // namespace wrinkle
