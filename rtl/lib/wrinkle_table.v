@@ -9,6 +9,14 @@ module wrinkle_table #(
   input  wire [INDEX_BITS-1:0] index_i,
   output wire [ENTRY_BITS-1:0] entry_o
 );
-  assign entry_o = CONTENT[index_i*ENTRY_BITS +: ENTRY_BITS];
+  wire [ENTRY_BITS-1:0] entries [0:(1<<INDEX_BITS)-1];
+  genvar i;
+  generate
+    for (i = 0; i < 1 << INDEX_BITS; i = i + 1) begin : entry
+      assign entries[i] = CONTENT[i*ENTRY_BITS +: ENTRY_BITS];
+    end
+  endgenerate
+
+  assign entry_o = entries[index_i];
 endmodule
 `default_nettype wire

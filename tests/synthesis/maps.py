@@ -12,7 +12,7 @@ Sums (`truncated_...`) are proven by algebra, since no solver finishes a product
 `sum` is a polynomial in its bits; modulo 2^(its width), the outputs of each cell are replaced by what its inputs say: a
 full adder by 2 X + Y = A + B + C, an adder or a multiplier by the sum or product of its operands, a gate by its
 polynomial (b^2 = b), until only the bits of ports are left. Equal polynomials are equal values. The other modules are
-small enough for the solver of Yosys.
+small enough for the solver of Yosys; where there are registers, what goes into each is compared.
 """
 
 import argparse
@@ -27,7 +27,8 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MAPS = ROOT / "sim" / "synthesis" / "maps"
 SUMS = ["wrinkle_truncated_squares", "wrinkle_truncated_product", "wrinkle_truncated_segment"]
-SOLVED = ["wrinkle_multiple", "wrinkle_magnitude", "wrinkle_signed", "wrinkle_block_shift", "wrinkle_table"]
+SOLVED = ["wrinkle_multiple", "wrinkle_magnitude", "wrinkle_signed", "wrinkle_block_shift", "wrinkle_table",
+          "wrinkle_dda_in_place"]
 PARTS = ["wrinkle_bit_heap", "wrinkle_bit_heap_column", "wrinkle_leading_zeros"]  # of other modules
 KINDS = {"compact": 2, "lite": 3}  # `near` has the widths of `compact`
 
@@ -63,6 +64,8 @@ def read_script(maps, widths, folder):
         "(.clk(), .advance_i(), .m_i(), .r_o());\n"
         for q, r in [(8, 8), (13, 12)])
     tables += "  wrinkle_rsqrt #(.INPUT_BITS(12)) root (.clk(), .advance_i(), .t_i(), .r_o());\n"
+    tables += "".join(f"  wrinkle_dda_in_place #(.WIDTH({w}), .GUARD({g}), .SHARING({s})) d_{w}_{g}_{s} (.clk());\n"
+                      for w, g, s in [(8, 7, 1), (11, 10, 0)])
     top.write_text(f"module top ();\n{instances}{tables}endmodule\n")
     includes = " ".join(f"-I{p}" for p in sorted({p.parent for p in (ROOT / "rtl").rglob("*.vh")}))
     names = " ".join(f"*{name}*" for name in SUMS + SOLVED + PARTS)
@@ -284,7 +287,7 @@ def prove_solved(maps, widths, names, folder):
         script += read_script(folder_of_maps, widths, sub) + f"flatten\ndesign -save {design}\n" + "design -reset\n"
     for name in names:
         script += (f"design -copy-from plain -as plain {name}\ndesign -copy-from mapped -as mapped {name}\n"
-                   "memory_map\nmiter -equiv -flatten -make_assert plain mapped miter\n"
+                   "memory_map\nexpose -dff -evert-dff plain mapped\nmiter -equiv -flatten -make_assert plain mapped miter\n"
                    "sat -verify -prove-asserts miter\ndesign -reset\n")
     code, text = run_yosys(script, folder)
     if code != 0:
@@ -314,6 +317,7 @@ MUTANTS = {
     "wrinkle_magnitude": [("value[BITS] & ~|value[BITS-1:0]", "1'b0")],
     "wrinkle_signed": [("negative & magnitude[a-1]", "magnitude[a-1]")],
     "wrinkle_block_shift": [("i >= HOP && i >= BITS - HOP", "i >= HOP && i >= BITS - HOP - 1")],
+    "wrinkle_dda_in_place": [("to_row ? next_row_value", "to_pixel ? next_row_value")],
     "wrinkle_table": [("CONTENT[i*ENTRY_BITS +: ENTRY_BITS]", "CONTENT[i*ENTRY_BITS +: ENTRY_BITS] ^ (i == 3)")],
 }
 
