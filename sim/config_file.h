@@ -1,5 +1,5 @@
-// Configuration files: TOML, keys and values exactly as in golden/parameters.def. docs/formats.md, "Configuration
-// file".
+// Configuration files: TOML, keys and values exactly as in golden/config/parameters.def. docs/formats.md,
+// "Configuration file".
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 namespace wrinkle {
 
@@ -18,7 +18,8 @@ std::vector<std::string> named_configs();
 // is legal; InputError says file, line, key, value, legal range and reason otherwise.
 Config load_config(const std::string& name_or_path, const std::filesystem::path& folder = ".");
 
-// `config` with assignments such as "unit_bits=12" or "filter=bilinear" made, all of them before the result is checked.
+// `config` with assignments such as "unit_bits=12" or "filter=bilinear". All of them are made before the result is
+// checked.
 Config apply_overrides(Config config, std::span<const std::string> assignments);
 
 // The file that load_config() reads `config` from: every key, with its legal range and meaning.

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   wrinkle::add_speed(app, command);
   wrinkle::add_figures(app, command);
   wrinkle::add_report(app, command);
+  wrinkle::add_generate(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

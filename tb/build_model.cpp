@@ -60,7 +60,7 @@ Arguments verilator_flags(const Config& config, const ModelOptions& options) {
       "--x-initial", "unique",       "-Wno-lint",    "-Wno-style", "--default-language",     "1364-2005"};
   if (options.trace) flags.push_back("--trace-fst");
   for (const Parameter& parameter : parameters()) {
-    if (parameter.member == &Config::block_exponent) continue;  // of set-up alone
+    if (parameter.scope != Scope::core) continue;
     std::string name(parameter.name);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
     flags.push_back(fmt::format("-G{}={}", name, config.*parameter.member));

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 namespace wrinkle {
 

@@ -42,7 +42,7 @@ struct Interpolated {
   double u = 0, v = 0, q = 1, lod = 0, z = 0;
 };
 
-// log2(rho) of log2 of the square, within [lowest, highest].
+// The level of detail: log2(rho), computed from the square of rho and clamped to [lowest, highest].
 inline double level(double rho_squared, double lowest, double highest) {
   return rho_squared > 0 ? std::clamp(std::log2(rho_squared) / 2, lowest, highest) : lowest;
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/packet.h"
 #include "golden/vector.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/packet.h"
 #include "golden/vector.h"

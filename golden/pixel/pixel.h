@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/packet.h"
 
@@ -40,7 +40,7 @@ struct Value {
   bool is_signed, present;
 };
 // All values in pipeline order, those the configuration lacks included (present = false).
-std::vector<Value> values(const Config& config);
+std::vector<Value> values(const Shape& config);
 
 // One fragment's values: value_of[i][element], i as in values(). The common currency of golden, RTL taps and printers.
 using FragmentValues = std::vector<std::array<std::int64_t, 3>>;
@@ -68,7 +68,7 @@ std::string_view simd_target();
 class Golden {
  public:
   // The textures must outlive it.
-  Golden(const Config& config, const std::vector<Texture>& textures, Lanes lanes = Lanes::kSimd);
+  Golden(const Shape& config, const std::vector<Texture>& textures, Lanes lanes = Lanes::kSimd);
   ~Golden();
   Golden(Golden&&) noexcept;
   Golden& operator=(Golden&&) noexcept;

@@ -2,7 +2,7 @@
 
 namespace wrinkle {
 
-std::vector<Value> values(const Config& c) {
+std::vector<Value> values(const Shape& c) {
   return {
 #define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) \
   {#stage, #name, elements, width, fraction_bits, is_signed, present},

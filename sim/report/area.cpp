@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "golden/datapath/datapaths.h"
 #include "sim/report/modules.h"
 #include "sim/synthesis/result.h"
 
@@ -150,7 +151,7 @@ AreaReport measure_area(const std::string& name, const Config& config, const Are
 }
 
 AreaReport measure_shading(const std::string& name, const Config& config, const AreaOptions& options) {
-  if (!config.is(Datapath::kPhong) && !config.is(Datapath::kTangent))
+  if (Shape(config).normal_like_light == 0)
     throw std::invalid_argument("shading is that of datapath = phong or tangent");
   AreaOptions stage = options;
   stage.flat = false;

@@ -11,7 +11,7 @@
 namespace wrinkle {
 namespace {
 
-// An iCE40 UP5K; the shift registers that stand in for pins take logic cells too.
+// What an iCE40 UP5K holds. Shift registers stand in for pins that it does not have, and take logic cells too.
 constexpr int kUp5kCells = 5280, kUp5kMultipliers = 8, kUp5kMemories = 30;
 
 bool may_fit(const FpgaCells& cells) {

@@ -1,11 +1,11 @@
-// Cells of FPGAs by stage, and what place and route makes of what fits.
+// Cells of FPGAs by stage, and the clock that place and route reaches for stages that fit.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "sim/synthesis/synthesis.h"
 
 namespace wrinkle {

@@ -1,4 +1,5 @@
-// Bumps as the vertex rate lets them be lit: the right side, in a mirror, from behind, near to the ideal.
+// The vertex rate prepares bumps so that they are lit on the right side, also in a mirror and from behind, and as the
+// ideal picture has them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ TEST(Frame, BumpIsLitOnTheSideOfTheLight) {
   }
 }
 
-// RMS difference of N.L from Blinn's, with the paper's patch in divisions^2 x 2 triangles.
+// The RMS difference of N.L from that of Blinn's normal, with the paper's patch in divisions^2 x 2 triangles.
 double method_error(double amplitude, int divisions) {
   const Grid<double> height = pinwheel(256, amplitude);
   const auto patch = stretched_patch();
@@ -57,7 +58,7 @@ double method_error(double amplitude, int divisions) {
   object.height = std::make_shared<SampledHeightField>(height);
   Scene scene = scene_of(std::move(object));
   scene.width = scene.height = 256;
-  const Frame frame = build_frame({}, scene);
+  const Frame frame = build_frame(Config(), scene);
   std::map<std::pair<int, int>, double> exact;
   draw_exact({}, frame, [&](const ExactFragment& f) { exact[{f.x, f.y}] = f.nl; });
   double sum = 0;
@@ -143,7 +144,7 @@ TEST(Frame, BackOfABumpIsADent) {
   EXPECT_GT(at(-16), at(0) + 0.1);
 }
 
-// The ideal picture is of the same side and the same bumps: plain, in a mirror, from behind, and both.
+// The ideal picture shows the same side and the same bumps: plain, in a mirror, from behind, and both.
 TEST(Frame, IdealSeesMirroredAndBackSidesAsTheDatapathDoes) {
   const Grid<double> height = pinwheel(256, 0.02);
   const auto patch = stretched_patch();
@@ -155,7 +156,7 @@ TEST(Frame, IdealSeesMirroredAndBackSidesAsTheDatapathDoes) {
       object.to_world = rotation({0, 1, 0}, back ? std::numbers::pi : 0) * scaling({mirror ? -1.0 : 1.0, 1, 1});
       Scene scene = scene_of(std::move(object));
       scene.width = scene.height = 256;
-      const Frame frame = build_frame({}, scene);
+      const Frame frame = build_frame(Config(), scene);
       std::map<std::pair<int, int>, double> exact;
       draw_exact({}, frame, [&](const ExactFragment& f) { exact[{f.x, f.y}] = f.nl; });
       double sum = 0;

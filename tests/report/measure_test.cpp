@@ -1,4 +1,4 @@
-// What area, error and report measure with, on cases whose answer is known.
+// The measurements of `area`, `error` and `report`, on cases whose answers are known.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -87,7 +87,8 @@ TEST(Modules, AStageIsAsTheCoreHasIt) {
   EXPECT_FALSE(core_parameters(config).contains("BLOCK_EXPONENT"));
 }
 
-// N, L and H are unit vectors in every order of normalization: mantissas are multiplied by their scales.
+// The values N, L and H are unit vectors in either order of normalization, since mantissas are multiplied by their
+// scales.
 TEST(Aov, VectorsOfMantissasHaveUnitLength) {
   const Config config = load_config("deferred");
   const Frame frame = build_frame(config, scene_named("patch_fig6"));
