@@ -39,9 +39,7 @@ void run_all(const std::vector<std::function<void()>>& jobs) {
 }
 
 SynthesisResult synthesise_module(const StageModule& module, const AreaOptions& options) {
-  SynthesisOptions synthesis = options.synthesis;
-  synthesis.sources = module_sources(module.module);
-  return synthesise(module.module, module.parameters, options.library, synthesis, options.progress);
+  return synthesise(module.module, module.parameters, options.library, options.synthesis, options.progress);
 }
 
 const StageArea& stage_of(const AreaReport& report, const std::string& name) {
@@ -177,7 +175,6 @@ Figures measure_figures(const Config& phong, const Config& blinn, const Config& 
 
 std::vector<NormalizerArea> measure_normalizers(const std::vector<int>& unit_bits, const AreaOptions& options) {
   SynthesisOptions synthesis = options.synthesis;
-  synthesis.sources = module_sources("wrinkle_unit_vector");
   synthesis.registers = false;
   std::vector<NormalizerArea> areas;
   for (const Normalizer kind : {Normalizer::kFaithful, Normalizer::kCompact, Normalizer::kLite, Normalizer::kNear}) {
@@ -226,6 +223,7 @@ nlohmann::json to_json(const AreaReport& report) {
                         {"nand2_given", sum_given(report)},
                         {"flip_flops", report.flip_flops()},
                         {"critical_path_ns", report.critical_path_ns()},
+                        {"checked", {{"clocks", report.clocks_equal()}, {"different", 0}}},
                         {"stages", stages}};
   if (!report.flat.cells.empty()) {
     object["flat"] = to_json(report.flat);

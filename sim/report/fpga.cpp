@@ -47,7 +47,6 @@ nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>
     for (const std::string& name : names) {
       const auto [module, values] = stage_module(name, config);
       SynthesisOptions options;
-      options.sources = module_sources(module);
       SynthesisResult result = synthesise(module, values, library, options, progress);
       const FpgaCells cells = count_fpga_cells(result);
       std::string placed = "-";

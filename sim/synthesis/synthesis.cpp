@@ -11,6 +11,8 @@
 #include <string_view>
 
 #include "sim/synthesis/check.h"
+#include "sim/synthesis/elaborate.h"
+#include "sim/synthesis/fingerprint.h"
 #include "sim/synthesis/pins.h"
 #include "sim/synthesis/result.h"
 #include "tb/fingerprint.h"
@@ -30,7 +32,8 @@ struct Job {
   VerilogParameters parameters;
   CellLibrary library;
   SynthesisOptions options;
-  std::vector<fs::path> sources;
+  std::vector<fs::path> sources;  // of the Verilog
+  std::vector<fs::path> mapped;   // what is synthesised: the same with its maps
   fs::path folder;
 
   bool is_standard_cells() const { return library == CellLibrary::kOsu035 || library == CellLibrary::kOsu018; }
@@ -110,7 +113,7 @@ std::string simulation_models(CellLibrary library) {
 // What the @...@ of a script stand for.
 std::string filled_in(const Job& job, const std::string& script) {
   std::string sources, includes, parameters;
-  for (const fs::path& source : mapped_sources(job.sources)) sources += " " + source.string();
+  for (const fs::path& source : job.mapped) sources += " " + source.string();
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
   for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value.text);
   const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
@@ -228,16 +231,20 @@ SynthesisResult make(const Job& job) {
   return result;
 }
 
+// Files and the headers beside them.
+void add_files(Fingerprint& key, const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) key.add(read_text(file));
+  for (const fs::path& header : verilog_files(include_folders(files), ".vh")) key.add(read_text(header));
+}
+
 std::string job_key(const Job& job) {
   Fingerprint key;
   key.add(job.top);
   for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value.text));
-  for (const fs::path& source : job.sources) key.add(read_text(source));
-  for (const fs::path& header : verilog_files(include_folders(job.sources), ".vh")) key.add(read_text(header));
+  for (const auto* files : {&job.sources, &job.mapped}) add_files(key, *files);
   for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
     for (const fs::path& script : verilog_files({scripts()}, extension)) key.add(read_text(script));
   }
-  for (const fs::path& map : verilog_files({maps()}, ".v")) key.add(read_text(map));
   if (job.is_standard_cells()) {
     key.add(read_text(liberty_path(job.library)));
     key.add(read_text(lef_path(job.library)));
@@ -282,7 +289,7 @@ fs::path lef_path(CellLibrary library) { return library_file(library, ".lef"); }
 
 SynthesisResult synthesise(const std::string& top, const VerilogParameters& parameters, CellLibrary library,
                            const SynthesisOptions& options, const SynthesisProgress& progress) {
-  Job job{top, parameters, library, options, options.sources, {}};
+  Job job{top, parameters, library, options, options.sources, {}, {}};
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
   if (job.sources.empty())
     job.sources = verilog_files({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
@@ -291,6 +298,9 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
 
   const fs::path cache = cache_folder(options);
   fs::create_directories(cache);
+  const std::vector<fs::path> folders = include_folders(job.sources);
+  job.mapped = elaborated_files(top, parameters, mapped_sources(job.sources), folders, cache);
+  job.sources = elaborated_files(top, parameters, job.sources, folders, cache);
   const std::string key = job_key(job);
   const fs::path kept = cache / (key + ".json");
   if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));

@@ -71,11 +71,7 @@ TEST(Baseline, OnlyWorseFiguresFail) {
   fs::remove(file);
 }
 
-TEST(Modules, OnlyWhatAModuleNeeds) {
-  std::vector<std::string> names;
-  for (const fs::path& source : module_sources("wrinkle_light")) names.push_back(source.stem());
-  EXPECT_THAT(names, testing::IsSupersetOf({"wrinkle_light", "wrinkle_power", "wrinkle_clamped_dot", "wrinkle_delay"}));
-  EXPECT_THAT(names, testing::Not(testing::Contains("wrinkle_texture_filter")));
+TEST(Modules, AStageIsAsTheCoreHasIt) {
   Config config = load_config("standard");
   config.screen_bits = 7;
   const auto binary = [](int value) { return "32'b" + std::bitset<32>(static_cast<unsigned>(value)).to_string(); };

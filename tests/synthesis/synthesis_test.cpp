@@ -187,6 +187,30 @@ TEST_F(Synthesis, ResultsAreKeptUntilTheSourceChanges) {
   EXPECT_EQ(runs, 2);
 }
 
+// What a module is made of is what elaboration instantiates: not what comments or branches not taken speak of.
+TEST_F(Synthesis, AChangeOfWhatIsNotInItLeavesAResultAlone) {
+  const fs::path other = folder_ / "other.v";
+  const auto design = [&](const std::string& inside) {
+    source(
+        "// of other_nand\nmodule outer #(parameter OTHER = 0) (input a_i, output y_o);\n"
+        "  generate if (OTHER) begin : g other_nand n (.a_i(a_i), .y_o(y_o)); end\n"
+        "  else begin : g assign y_o = ~a_i; end endgenerate\nendmodule\n");
+    std::ofstream(other) << "module other_nand (input a_i, output y_o); assign y_o = " << inside << "; endmodule\n";
+    options_.sources.push_back(other);
+  };
+  int runs = 0;
+  const auto count = [&](const std::string&) { ++runs; };
+  design("a_i");
+  synthesise("outer", {}, CellLibrary::kOsu035, options_, count);
+  design("~a_i");
+  synthesise("outer", {}, CellLibrary::kOsu035, options_, count);
+  EXPECT_EQ(runs, 1);
+  synthesise("outer", {{"OTHER", 1}}, CellLibrary::kOsu035, options_, count);
+  design("a_i & a_i");
+  synthesise("outer", {{"OTHER", 1}}, CellLibrary::kOsu035, options_, count);
+  EXPECT_EQ(runs, 3);
+}
+
 TEST_F(Synthesis, AFailureNamesTheToolAndItsComplaint) {
   source("module broken (output y_o); no_such_module inner (.y(y_o)); endmodule\n");
   try {
@@ -204,11 +228,12 @@ TEST(Liberty, PadsAreNoGates) {
   EXPECT_EQ(without_pads("library(l) {\n" + pad + gate + pad + "}\n"), "library(l) {\n  \n" + gate + "  \n}\n");
 }
 
-// Areas by Yosys of a design of one cell for each type of the library.
+// Areas by Yosys of a design of one cell for each type of the library but pads.
 std::map<std::string, double> liberty_areas(CellLibrary library, const fs::path& folder) {
   std::string design, script = "read_liberty -lib -ignore_miss_func " + liberty_path(library).string() + "\n";
   for (const auto& [cell, area] : lef_areas(lef_path(library))) {
-    if (read_text(liberty_path(library)).find("cell (" + cell + ")") == std::string::npos) continue;
+    const bool is_gate = read_text(liberty_path(library)).find("cell (" + cell + ")") != std::string::npos;
+    if (!is_gate || cell.starts_with("PAD")) continue;
     design += "module one_" + cell + "; " + cell + " cell_i (); endmodule\n";
   }
   std::ofstream(folder / "cells.v") << design;
@@ -224,16 +249,16 @@ std::map<std::string, double> liberty_areas(CellLibrary library, const fs::path&
 }
 
 // Where the Liberty file says another area than what is drawn: mapping reads the one, figures are of the other.
-TEST_F(Synthesis, LibertyAndLefDifferInThreeCells) {
+TEST_F(Synthesis, LibertyAndLefDifferInTwoCells) {
   for (const CellLibrary library : {CellLibrary::kOsu035, CellLibrary::kOsu018}) {
     const auto drawn = lef_areas(lef_path(library));
     const auto said = liberty_areas(library, folder_);
-    EXPECT_EQ(said.size(), 32u);
+    EXPECT_EQ(said.size(), 31u);  // LATCH has no area there
     std::set<std::string> different;
     for (const auto& [cell, area] : said) {
       if (std::abs(area - drawn.at(cell)) > 1e-6) different.insert(cell);
     }
-    EXPECT_THAT(different, ElementsAre("LATCH", "NAND3X1", "OAI21X1")) << cell_library_name(library);
+    EXPECT_THAT(different, ElementsAre("NAND3X1", "OAI21X1")) << cell_library_name(library);
   }
 }
 
