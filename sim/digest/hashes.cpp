@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/digest/table.h"
-#include "tb/model.h"
+#include "golden/stages.h"
 
 namespace wrinkle {
 namespace {

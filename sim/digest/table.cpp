@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "sim/input_error.h"
-#include "tb/model.h"
+#include "golden/stages.h"
 
 namespace wrinkle {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "sim/synthesis/fingerprint.h"
+#include "tb/fingerprint.h"
 #include "tb/process.h"
 
 namespace wrinkle {

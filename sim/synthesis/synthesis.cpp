@@ -12,7 +12,6 @@
 
 #include "sim/synthesis/check.h"
 #include "sim/synthesis/elaborate.h"
-#include "sim/synthesis/fingerprint.h"
 #include "sim/synthesis/pins.h"
 #include "sim/synthesis/result.h"
 #include "tb/fingerprint.h"
