@@ -155,9 +155,7 @@ void add_area(CLI::App& app, Run& run) {
   command->add_option("--effort", options->effort, "What mapping aims at")
       ->capture_default_str()
       ->check(CLI::IsMember({"area", "speed", "unbuffered"}));
-  command->add_option("--stage", options->stages, "Only this stage")
-      ->check(CLI::IsMember(std::vector<std::string>{"packet", "scan", "interpolate", "perspective", "texture",
-                                                     "perturb", "normalize", "light", "output"}));
+  command->add_option("--stage", options->stages, "Only this stage")->check(CLI::IsMember(stage_names()));
   command->add_flag("--no-flat", options->no_flat, "Leave out the flat whole");
   command->add_flag("--plain-adders", options->plain_adders, "Adders in simple gates, not in full adder cells");
   command->add_flag("--fpga", options->fpga, "Also cells of iCE40, ECP5 and Xilinx");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "golden/triangle/corners.h"
+#include "tb/random_config.h"
 #include "tb/stall.h"
 
 namespace wrinkle {
@@ -196,14 +197,7 @@ Frame random_frame(const Config& config, const RandomFrame& wish) {
 
 Config random_config(std::uint64_t seed) {
   Random random(seed);
-  Config config;
-  do {
-    for (const Parameter& parameter : parameters()) {
-      config.*parameter.member = random.between(parameter.minimum, parameter.maximum);
-    }
-    config.screen_bits = std::min(config.screen_bits, 10);
-  } while (!check(config).key.empty());
-  return config;
+  return random_config([&](int low, int high) { return random.between(low, high); }, 10);
 }
 
 }  // namespace wrinkle

@@ -38,6 +38,8 @@ struct Value {
   std::string_view stage, name;
   int elements, width, fraction_bits;
   bool is_signed, present;
+  std::string_view wire;  // of wrinkle_core, on which it lies from `lowest_bit` on, element 0 first
+  int lowest_bit;
 };
 // All values in pipeline order, those the configuration lacks included (present = false).
 std::vector<Value> values(const Shape& config);

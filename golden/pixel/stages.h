@@ -4,20 +4,16 @@
 #include "golden/pixel/context.h"
 #include "golden/pixel/pixel.h"
 #include "golden/pixel/spans.h"
+#include "golden/stages.h"
 
 namespace wrinkle {
 
 // A set of stages, as bits.
 enum Stages : unsigned {
-  kScan = 1,
-  kInterpolate = 2,
-  kPerspective = 4,
-  kTexture = 8,
-  kPerturb = 16,
-  kNormalize = 32,
-  kLight = 64,
-  kOutput = 128,
-  kAllStages = 255
+#define WRINKLE_STAGE(name, title, moves) k##title = 1U << static_cast<int>(Stage::name),
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+  kAllStages = (1U << kStages) - 1
 };
 
 // Runs `stages` over the fragments of the batch. What a stage reads must be there, in the format of components.def.

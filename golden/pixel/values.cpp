@@ -5,7 +5,7 @@ namespace wrinkle {
 std::vector<Value> values(const Shape& c) {
   return {
 #define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) \
-  {#stage, #name, elements, width, fraction_bits, is_signed, present},
+  {#stage, #name, elements, width, fraction_bits, is_signed, present, #stage "_" #name, 0},
 #include "golden/pixel/components.def"
 #undef WRINKLE_VALUE
   };

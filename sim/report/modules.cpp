@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "golden/stages.h"
 #include "tb/process.h"
 
 namespace wrinkle {
@@ -58,9 +59,7 @@ std::string upper(std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> stage_names() {
-  return {"packet", "scan", "interpolate", "perspective", "texture", "perturb", "normalize", "light", "output"};
-}
+std::vector<std::string> stage_names() { return {kStageNames.begin(), kStageNames.end()}; }
 
 std::vector<fs::path> module_sources(const std::string& module) {
   std::set<std::string> names;

@@ -9,7 +9,8 @@ filter=${1:-}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-stages="packet scan interpolate perspective texture perturb normalize light output"
+stages=$(sed -n 's/^WRINKLE_STAGE(\([a-z_]*\),.*/\1/p' "$root/golden/stages.def")
+[ -n "$stages" ] || { echo "golden/stages.def lists no stage"; exit 1; }
 
 # check NAME COMMAND...: passes when the command succeeds and prints nothing.
 check() {
