@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 namespace wrinkle {
 

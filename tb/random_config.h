@@ -4,7 +4,7 @@
 #include <concepts>
 #include <limits>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 namespace wrinkle {
 

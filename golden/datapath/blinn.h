@@ -26,11 +26,43 @@ struct Blinn : DatapathDefaults {
   WRINKLE_SAYS(normal_any_length, 1)
   // The three terms of N', each below 2^(VW + 1 + GB), and the half that rounds.
   WRINKLE_SAYS(perturb_operand_bits, wide_bits + gradient_bits + 5)
+
+  static constexpr std::array<std::string_view, 3> frame_names() { return {"a", "b", "c"}; }
+  static constexpr std::string_view bump_name() { return "gradient"; }
+
+  // The exact twin of perturb_lanes().
+  static Vec3 exact(bool is_bumped, std::span<const Vec3> frame, std::span<const double> bump) {
+    return is_bumped ? frame[0] - bump[0] * frame[1] - bump[1] * frame[2] : frame[0];
+  }
 };
 
 }  // namespace wrinkle
 
 #endif  // GOLDEN_DATAPATH_BLINN_H_
+
+#ifdef WRINKLE_LANES
+HWY_BEFORE_NAMESPACE();
+namespace wrinkle {
+namespace HWY_NAMESPACE {
+
+template <class L>
+HWY_INLINE Triple<L> perturb_lanes(const L& l, const Blinn& c, const PerturbInputs<L>& in) {
+  const auto slope = [&](std::size_t k) HWY_ATTR { return in.is_bumped ? in.bump_at(l, k) : l.set(0); };
+  const auto fu = slope(0), fv = slope(1);
+  const typename L::Int limit = typename L::Int{4} << c.wide_bits;
+  const auto element = [&](std::size_t k) HWY_ATTR {
+    const auto along_u = l.mul(in.frame_at(l, 3 + k), fu);
+    const auto along_v = l.mul(in.frame_at(l, 6 + k), fv);
+    const auto n = l.sub(l.sub(l.shl(in.frame_at(l, k), c.gradient_bits), along_u), along_v);
+    return saturate(l, round_half_up(l, n, c.gradient_bits), -limit, limit - 1);
+  };
+  return {element(0), element(1), element(2)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace wrinkle
+HWY_AFTER_NAMESPACE();
+#endif
 
 #ifdef WRINKLE_DATAPATH
 WRINKLE_DATAPATH(blinn, Blinn)

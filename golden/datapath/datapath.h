@@ -4,10 +4,13 @@
 // else asks which datapath there is: what a stage must know has a name of its own in properties.def or below.
 #pragma once
 
+#include <array>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
 #include "golden/config/config.h"
+#include "golden/vector.h"
 
 namespace wrinkle {
 
@@ -23,7 +26,14 @@ struct Expression {
 
 // What is not said by a datapath: the defaults of properties.def.
 struct DatapathDefaults : Config {
+  // False: there is no N', it is (0, 0, 1). Else the datapath has perturb_lanes() and exact().
+  static constexpr bool kPerturbs = true;
+
   explicit DatapathDefaults(const Config& config) : Config(config) {}
+
+  // Names of the vectors in the place of N, and of the bump map, as values.
+  static constexpr std::array<std::string_view, 0> frame_names() { return {}; }
+  static constexpr std::string_view bump_name() { return {}; }
 #define WRINKLE_PROPERTY(scope, name, standard, description) WRINKLE_SAYS(name, standard)
 #include "golden/datapath/properties.def"
 #undef WRINKLE_PROPERTY

@@ -9,6 +9,8 @@ namespace wrinkle {
 struct Rotated : DatapathDefaults {
   using DatapathDefaults::DatapathDefaults;
 
+  static constexpr bool kPerturbs = false;
+
   WRINKLE_SAYS(light_may_be_constant, 0)
 };
 

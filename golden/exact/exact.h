@@ -11,7 +11,7 @@
 
 namespace wrinkle {
 
-// One fragment in float64. Names and order as components.def; colour in [0, 1] before quantisation.
+// One fragment in float64. Names and order as values.def; colour in [0, 1] before quantisation.
 struct ExactFragment {
   std::int32_t x = 0, y = 0;
   std::uint32_t triangle = 0;  // ScreenTriangle::id

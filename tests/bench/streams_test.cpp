@@ -111,7 +111,6 @@ TEST_P(Wires, OfAllValuesAndStagesAreVisible) {
       EXPECT_NE(model.wire(std::string(kStageNames[stage]) + end).data, nullptr) << kStageNames[stage] << end;
   }
   for (const Value& value : values(config)) {
-    if (!value.present) continue;
     const Wire wire = model.wire(value.wire);
     ASSERT_NE(wire.data, nullptr) << value.stage << '.' << value.name << " has no wire " << value.wire;
     EXPECT_GE(wire.bytes * 8, static_cast<std::size_t>(value.lowest_bit + value.elements * value.width)) << value.wire;
@@ -156,7 +155,7 @@ TEST(Taps, ElementsLieAnywhereOnAWireOfAnyWidth) {
     const std::int64_t expected =
         is_signed ? static_cast<std::int64_t>(drawn << shift) >> shift : static_cast<std::int64_t>(drawn);
     wire.set(low + element * width, width, static_cast<std::int64_t>(drawn));
-    const Value value{"interpolate", "a", 12, width, 0, is_signed, true, "interpolate_frame", low};
+    const Value value{"interpolate", "a", 12, width, 0, is_signed, ValueKind::plane, "interpolate_frame", low};
     ASSERT_EQ(unpack(value, wire.wire(), element), expected) << width << " bits from " << low;
   }
 }
