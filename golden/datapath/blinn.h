@@ -10,10 +10,13 @@ namespace wrinkle {
 struct Blinn : DatapathDefaults {
   using DatapathDefaults::DatapathDefaults;
 
+  static constexpr bool kTexelsFromHeights = true;
+
   WRINKLE_SAYS(frame_vectors, 3)
   WRINKLE_SAYS(frame_width, wide_bits + 2)
   WRINKLE_SAYS(frame_bits, wide_bits)
   WRINKLE_SAYS(frame_held, cross_products != 0 ? 2 : 0)
+  WRINKLE_SAYS(frame_prepared, 1)
   WRINKLE_SAYS(frame_unbounded, 1)
   WRINKLE_SAYS(bump_components, 2)
   WRINKLE_SAYS(bump_width, gradient_bits + 1)
@@ -29,6 +32,18 @@ struct Blinn : DatapathDefaults {
 
   static constexpr std::array<std::string_view, 3> frame_names() { return {"a", "b", "c"}; }
   static constexpr std::string_view bump_name() { return "gradient"; }
+
+  // A, B, C with N on the outer side, f being measured along N [Peercy97 eq. 2]; where u and v are lengths along T and B,
+  // N, T and B. B and C have the scale that the slopes were divided by.
+  static FrameVectors vertex(const VertexInputs& v) {
+    Vec3 a = v.N, b = v.T, c = v.B;
+    if (v.has_derivatives) {
+      // Where Pu x Pv points inwards, the perturbed normal that points outwards is the opposite one.
+      const double side = dot(v.N, cross(v.Pu, v.Pv)) < 0 ? -1 : 1;
+      a = side * cross(v.Pu, v.Pv), b = side * cross(v.Pv, v.N), c = side * cross(v.N, v.Pu);
+    }
+    return {a, v.texel_scale * b, v.texel_scale * c};
+  }
 
   // The exact twin of perturb_lanes().
   static Vec3 exact(bool is_bumped, std::span<const Vec3> frame, std::span<const double> bump) {

@@ -10,6 +10,10 @@ namespace wrinkle {
 struct NormalMapped : DatapathDefaults {
   using DatapathDefaults::DatapathDefaults;
 
+  // Texel normals are in the space of their map; L.z is the cosine of the surface in tangent space alone.
+  static constexpr DrawSpace kSpace = DrawSpace::kOfTexture;
+  static constexpr bool kTurnsLight = true;
+
   WRINKLE_SAYS(frame_vectors, 1)
   WRINKLE_SAYS(frame_width, vector_bits + 2)
   WRINKLE_SAYS(frame_bits, vector_bits)

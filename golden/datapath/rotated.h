@@ -10,6 +10,8 @@ struct Rotated : DatapathDefaults {
   using DatapathDefaults::DatapathDefaults;
 
   static constexpr bool kPerturbs = false;
+  static constexpr DrawSpace kSpace = DrawSpace::kTangent;
+  static constexpr bool kTurnsLight = true;
 
   WRINKLE_SAYS(light_may_be_constant, 0)
 };

@@ -21,8 +21,8 @@ TEST(Config, ParametersAreTheMembers) {
 
 TEST(Config, StandardIsLegalAndNarrow) {
   EXPECT_EQ(check({}).key, "");
-  EXPECT_LE(widest_operand_bits({}), 32);
-  EXPECT_EQ(lane_bits({}), 32);
+  EXPECT_LE(widest_operand_bits(Config()), 32);
+  EXPECT_EQ(lane_bits(Config()), 32);
   EXPECT_EQ(lane_bits(with({{&Config::perspective, 1}})), 64);
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "golden/pixel/lane_bits.h"
 #include "golden/pixel/stages.h"
 #include "hwy/targets.h"
 #include "tb/random_config.h"
