@@ -25,5 +25,4 @@ struct Value {
 // Those that the configuration has, in pipeline order.
 std::vector<Value> values(const Shape& config);
 
-
 }  // namespace wrinkle

@@ -33,8 +33,8 @@ struct Blinn : DatapathDefaults {
   static constexpr std::array<std::string_view, 3> frame_names() { return {"a", "b", "c"}; }
   static constexpr std::string_view bump_name() { return "gradient"; }
 
-  // A, B, C with N on the outer side, f being measured along N [Peercy97 eq. 2]; where u and v are lengths along T and B,
-  // N, T and B. B and C have the scale that the slopes were divided by.
+  // A, B, C with N on the outer side, f being measured along N [Peercy97 eq. 2]; where u and v are lengths along T and
+  // B, N, T and B. B and C have the scale that the slopes were divided by.
   static FrameVectors vertex(const VertexInputs& v) {
     Vec3 a = v.N, b = v.T, c = v.B;
     if (v.has_derivatives) {

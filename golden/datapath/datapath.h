@@ -24,13 +24,13 @@ struct Expression {
 #define WRINKLE_SAYS(property, expression) \
   Expression property() const { return {static_cast<int>(expression), #expression}; }
 
-// The space that a draw lights in: the world's; that of the texture of a bumped draw (tangent or object space), else the
-// world's; tangent space, with a texture or without.
+// The space that a draw lights in: the world's; that of the texture of a bumped draw (tangent or object space), else
+// the world's; tangent space, with a texture or without.
 enum class DrawSpace { kWorld, kOfTexture, kTangent };
 
 // A vertex as it is prepared for a bumped draw: its tangent frame in the world, the derivatives of P by the texture's
-// coordinates (u, v upwards) in the world, whether the slopes of the texture are by those or by lengths along T and B, and
-// what the components of the texture were divided by.
+// coordinates (u, v upwards) in the world, whether the slopes of the texture are by those or by lengths along T and B,
+// and what the components of the texture were divided by.
 struct VertexInputs {
   Vec3 N, T, B;
   Vec3 Pu, Pv;

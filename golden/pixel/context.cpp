@@ -41,8 +41,8 @@ std::vector<Plane> planes_of(const Shape& config) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(list[v].elements) && planes.size() < formats.size(); ++k) {
       if (list[v].name == "lod" && config.lod_held != 0) break;
       const ComponentFormat& format = formats[planes.size()];
-      planes.push_back({format.component, v, k, format.width, format.is_constant ? 0 : config.guard_bits,
-                        format.is_signed});
+      planes.push_back(
+          {format.component, v, k, format.width, format.is_constant ? 0 : config.guard_bits, format.is_signed});
     }
   }
   return planes;

@@ -80,9 +80,9 @@ struct Golden::State {
     if (!draw.textured || !context.config.textured) return nullptr;
     auto& copy = bound[{draw.texture, draw.wrap_u, draw.wrap_v}];
     if (copy == nullptr)
-      copy = std::make_shared<BoundTexture>(
-          bind_texture(textures.at(static_cast<std::size_t>(draw.texture)), context.config.bump_components,
-                       static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v)));
+      copy = std::make_shared<BoundTexture>(bind_texture(textures.at(static_cast<std::size_t>(draw.texture)),
+                                                         context.config.bump_components, static_cast<Wrap>(draw.wrap_u),
+                                                         static_cast<Wrap>(draw.wrap_v)));
     return copy;
   }
 

@@ -115,8 +115,8 @@ HWY_INLINE Triple<L> normalize_none(const L& l, UnitShape unit, const Triple<L>&
 
 // The vectors of the lanes from fragment i on. `zero` collects the fragments whose vector has no direction.
 template <class L, class Normalize>
-HWY_INLINE void normalize_at(const L& l, Columns<typename L::Int> in, Columns<typename L::Int> out, Column<typename L::Int>& zero,
-                             std::size_t i, const Normalize& to_unit) {
+HWY_INLINE void normalize_at(const L& l, Columns<typename L::Int> in, Columns<typename L::Int> out,
+                             Column<typename L::Int>& zero, std::size_t i, const Normalize& to_unit) {
   const Triple<L> v{l.load(&in[0][i]), l.load(&in[1][i]), l.load(&in[2][i])};
   const Triple<L> n = to_unit(v);
   l.store(n.x, &out[0][i]);
@@ -128,14 +128,16 @@ HWY_INLINE void normalize_at(const L& l, Columns<typename L::Int> in, Columns<ty
 
 // One unit over the batch.
 template <class L, class Normalize>
-HWY_INLINE void normalize_columns(const L& l, Columns<typename L::Int> in, Columns<typename L::Int> out, Column<typename L::Int>& zero,
-                                  int count, const Normalize& to_unit) {
+HWY_INLINE void normalize_columns(const L& l, Columns<typename L::Int> in, Columns<typename L::Int> out,
+                                  Column<typename L::Int>& zero, int count, const Normalize& to_unit) {
   for (int first = 0; first < count; first += l.size())
     normalize_at(l, in, out, zero, static_cast<std::size_t>(first), to_unit);
 }
 
 template <Normalizer kKind, class L>
-void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, UnitShape unit, Columns<typename L::Int> in, Columns<typename L::Int> out, Column<typename L::Int>& zero, int count) {
+void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, UnitShape unit,
+                               Columns<typename L::Int> in, Columns<typename L::Int> out, Column<typename L::Int>& zero,
+                               int count) {
   const CompactGeometry g = compact_geometry(kKind, unit.unit_bits, unit.input_bits);
   const auto* table = kKind == Normalizer::kLite ? c.lite_rsqrt_table : c.compact_rsqrt_table;
   if ((std::size_t{2} << g.rsqrt.segment_bits) <= kSmallTable)
@@ -148,7 +150,8 @@ void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, 
 
 // The kind of unit is chosen outside of its loop.
 template <class L>
-void normalize_unit(const L& l, const Context& context, int normalizer, int input_bits, Columns<typename L::Int> in, Columns<typename L::Int> out, Column<typename L::Int>& zero, int count) {
+void normalize_unit(const L& l, const Context& context, int normalizer, int input_bits, Columns<typename L::Int> in,
+                    Columns<typename L::Int> out, Column<typename L::Int>& zero, int count) {
   const auto c = context.constants<typename L::Int>();
   const UnitShape unit{input_bits, c.config.unit_bits};
   switch (static_cast<Normalizer>(normalizer)) {
@@ -175,7 +178,9 @@ void normalize_unit(const L& l, const Context& context, int normalizer, int inpu
 
 // The same of a vector that is normalized after the dot products.
 template <class L>
-void defer_unit(const L& l, const Context& context, int input_bits, Columns<typename L::Int> in, Columns<typename L::Int> out, Column<typename L::Int>& scale, Column<typename L::Int>& zero, int count) {
+void defer_unit(const L& l, const Context& context, int input_bits, Columns<typename L::Int> in,
+                Columns<typename L::Int> out, Column<typename L::Int>& scale, Column<typename L::Int>& zero,
+                int count) {
   const auto c = context.constants<typename L::Int>();
   const UnitShape unit{input_bits, c.config.unit_bits};
   const bool is_small = (std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable;
@@ -208,7 +213,8 @@ void normalize_halfangle(const L& l, const Context& c, Batch<typename L::Int>& b
       const auto i = static_cast<std::size_t>(first);
       l.store(l.add(l.load(&batch.normalize_l[k][i]), l.load(&batch.normalize_h[k][i])), &sum[k][i]);
     }
-  normalize_unit(l, c, c.config.normalizer_h, c.config.unit_bits + 1, Columns<typename L::Int>(sum), batch.normalize_h, ignored, batch.count);
+  normalize_unit(l, c, c.config.normalizer_h, c.config.unit_bits + 1, Columns<typename L::Int>(sum), batch.normalize_h,
+                 ignored, batch.count);
 }
 
 template <class L>

@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
 
-// What perturb_lanes() of a datapath reads: the vectors in the place of N, the components of the bump map, and whether the
-// draw has one, for the fragments of the lanes from i on.
+// What perturb_lanes() of a datapath reads: the vectors in the place of N, the components of the bump map, and whether
+// the draw has one, for the fragments of the lanes from i on.
 template <class L>
 struct PerturbInputs {
   Columns<typename L::Int> frame, bump;

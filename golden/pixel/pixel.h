@@ -27,9 +27,9 @@ struct alignas(64) Column : std::array<Int, kBatch + kBatchPadding> {};
 template <class Int>
 using Columns = std::span<Column<Int>>;
 
-// Fragments in structure-of-arrays form: STAGE_NAME[element][fragment] for every value of values.def, as signed integers
-// in that value's format; no elements where the configuration lacks the value. The vectors in the place of N lie in
-// interpolate_frame, the first in elements 0 to 2. Int is std::int32_t or std::int64_t, as lane_bits() says.
+// Fragments in structure-of-arrays form: STAGE_NAME[element][fragment] for every value of values.def, as signed
+// integers in that value's format; no elements where the configuration lacks the value. The vectors in the place of N
+// lie in interpolate_frame, the first in elements 0 to 2. Int is std::int32_t or std::int64_t, as lane_bits() says.
 template <class Int>
 struct Batch {
   explicit Batch(const Shape& config);

@@ -39,7 +39,8 @@ TextureSample sample_texture(const Shape& config, const Texture& texture, Wrap w
   draw.log2_width = texture.log2_width;
   draw.log2_height = texture.log2_height;
   draw.max_level = texture.max_level();
-  set_draw(context, draw, std::make_shared<BoundTexture>(bind_texture(texture, context.config.bump_components, wrap_u, wrap_v)));
+  set_draw(context, draw,
+           std::make_shared<BoundTexture>(bind_texture(texture, context.config.bump_components, wrap_u, wrap_v)));
   auto batch = std::make_unique<Batch<std::int64_t>>(config);
   (config.divides != 0 ? batch->perspective_u : batch->interpolate_u)[0][0] = u;
   (config.divides != 0 ? batch->perspective_v : batch->interpolate_v)[0][0] = v;

@@ -41,7 +41,8 @@ Fragment fragment(const Batch<Int>& batch, int index) {
   out.last = batch.scan_last[0][i] != 0;
   out.zero = batch.normalize_zero[0][i] != 0;
   if (!batch.interpolate_z.empty()) out.z = static_cast<std::uint32_t>(batch.interpolate_z[0][i]);
-  for (std::size_t k = 0; k < batch.output_colour.size(); ++k) out.colour[k] = static_cast<std::uint16_t>(batch.output_colour[k][i]);
+  for (std::size_t k = 0; k < batch.output_colour.size(); ++k)
+    out.colour[k] = static_cast<std::uint16_t>(batch.output_colour[k][i]);
   return out;
 }
 

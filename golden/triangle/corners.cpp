@@ -140,7 +140,8 @@ TextureCorners texture_corners(const Shape& config, const Corners& corners, cons
 
 std::array<Vec3, 3> vector_corners(const Shape& config, const Corners& corners, Vec3 ScreenVertex::*member,
                                    int normalizer) {
-  return scaled_by_q(config, corners, {corners.v[0]->*member, corners.v[1]->*member, corners.v[2]->*member}, normalizer);
+  return scaled_by_q(config, corners, {corners.v[0]->*member, corners.v[1]->*member, corners.v[2]->*member},
+                     normalizer);
 }
 
 std::vector<std::array<Vec3, 3>> frame_corners(const Shape& config, const Corners& corners, const DrawWords& draw) {

@@ -36,10 +36,10 @@ TextureCorners texture_corners(const Shape& config, const Corners& corners, cons
 std::array<Vec3, 3> vector_corners(const Shape& config, const Corners& corners, Vec3 ScreenVertex::*member,
                                    int normalizer);
 
-// The vectors in the place of N at the corners as the hardware gets them, one after the other: scaled by q like L and H;
-// those that are held over a triangle replaced by their means; and, where they are unbounded and block_exponent =
-// triangle, all by one power of two that brings the largest of the triangle into [1/2, 1). A draw without bump has N and
-// zeros. Throws std::invalid_argument when a component does not fit.
+// The vectors in the place of N at the corners as the hardware gets them, one after the other: scaled by q like L and
+// H; those that are held over a triangle replaced by their means; and, where they are unbounded and block_exponent =
+// triangle, all by one power of two that brings the largest of the triangle into [1/2, 1). A draw without bump has N
+// and zeros. Throws std::invalid_argument when a component does not fit.
 std::vector<std::array<Vec3, 3>> frame_corners(const Shape& config, const Corners& corners, const DrawWords& draw);
 
 // LSBs that an unsigned or cyclic component keeps clear of both ends of its format: the accumulated error of the

@@ -33,8 +33,14 @@ ClipVertex mix(const ClipVertex& a, const ClipVertex& b, double t) {
                            mix(a.screen.z, b.screen.z, t), mix(a.screen.w, b.screen.w, t)};
   FrameVectors frame;
   for (std::size_t i = 0; i < frame.size(); ++i) frame[i] = mix(a.frame[i], b.frame[i], t);
-  return {screen, mix(a.uv, b.uv, t), mix(a.N, b.N, t), mix(a.L, b.L, t), mix(a.H, b.H, t), frame,
-          mix(a.parameter, b.parameter, t), mix(a.P, b.P, t)};
+  return {screen,
+          mix(a.uv, b.uv, t),
+          mix(a.N, b.N, t),
+          mix(a.L, b.L, t),
+          mix(a.H, b.H, t),
+          frame,
+          mix(a.parameter, b.parameter, t),
+          mix(a.P, b.P, t)};
 }
 
 // One plane [Sutherland and Hodgman 1974]; edges are cut from their inner end, whichever way they run.

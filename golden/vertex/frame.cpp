@@ -313,8 +313,7 @@ ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state
     return static_cast<std::int32_t>(std::floor(std::clamp(pixels, band_.low, band_.high) * grid + 0.5));
   };
   const ScreenPoint& p = vertex.screen;
-  const bool turn_light =
-      back && rules_.turns_light && (state.bump || rules_.space == DrawSpace::kTangent);
+  const bool turn_light = back && rules_.turns_light && (state.bump || rules_.space == DrawSpace::kTangent);
   const bool turn_normal = back && !turn_light;
   ScreenVertex v;
   v.x = to_grid(p.x / p.w);

@@ -151,7 +151,8 @@ TEST(Interpolate, CrossProductsStayWithinTheirBound) {
             };
             planes.see(error(batch.interpolate_frame[0][i], want.a.x) / bound);
             planes.see(error(batch.interpolate_frame[2][i], want.a.z) / bound);
-            const double b = error(batch.interpolate_frame[4][i], want.b.y), c = error(batch.interpolate_frame[8][i], want.c.z);
+            const double b = error(batch.interpolate_frame[4][i], want.b.y),
+                         c = error(batch.interpolate_frame[8][i], want.c.z);
             if (cross == 0)
               planes.see(b / bound), planes.see(c / bound);
             else

@@ -18,8 +18,7 @@ Vec3 real(Columns<std::int64_t> columns, std::size_t i, int fraction_bits) {
 TEST(Light, LanesAgree) { expect_lanes_agree(kLight, 8); }
 
 // The vector times its scale, where it has one.
-Vec3 real(const Config& config, const Batch64& batch, Columns<std::int64_t> columns, std::size_t k,
-          std::size_t i) {
+Vec3 real(const Config& config, const Batch64& batch, Columns<std::int64_t> columns, std::size_t k, std::size_t i) {
   const Vec3 v = real(columns, i, config.unit_bits);
   return config.normalizes_after()
              ? std::ldexp(static_cast<double>(batch.normalize_scale[k][i]), -config.scale_bits()) * v

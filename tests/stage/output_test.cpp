@@ -73,7 +73,8 @@ TEST(Output, WhiteDecalIsNeutral) {
     const DrawWords draw = random_draw(plain, random);
     set_draw(a, draw, nullptr);
     set_draw(b, draw, nullptr);
-    auto first = std::make_unique<Batch<std::int64_t>>(a.config), second = std::make_unique<Batch<std::int64_t>>(b.config);
+    auto first = std::make_unique<Batch<std::int64_t>>(a.config),
+         second = std::make_unique<Batch<std::int64_t>>(b.config);
     fill(plain, base_seed() + static_cast<std::uint64_t>(round), *first);
     std::ranges::copy(first->light_diffuse, second->light_diffuse.begin());
     std::ranges::copy(first->light_specular, second->light_specular.begin());

@@ -41,7 +41,8 @@ TEST(Perturb, DisplacementIsRoundedOnce) {
           };
           const Vec2 gradient{std::ldexp(double(batch->texture_bump[0][i]), -gb),
                               std::ldexp(double(batch->texture_bump[1][i]), -gb)};
-          const Vec3 want = exact::displace(draw, vector(batch->interpolate_frame.subspan(0, 3)), vector(batch->interpolate_frame.subspan(3, 3)),
+          const Vec3 want = exact::displace(draw, vector(batch->interpolate_frame.subspan(0, 3)),
+                                            vector(batch->interpolate_frame.subspan(3, 3)),
                                             vector(batch->interpolate_frame.subspan(6, 3)), gradient);
           const Vec3 error = vector(batch->perturb_n) - want;
           for (double e : {error.x, error.y, error.z}) worst.see(e);

@@ -159,8 +159,7 @@ void fill(const Config& config, std::uint64_t seed, Batch<Int>& batch) {
   const std::vector<Value> list = values(config);
   for (std::size_t v = 0; v < list.size(); ++v)
     for (auto& column : batch.value[v])
-      for (std::size_t i = 0; i < kBatch; ++i)
-        column[i] = static_cast<Int>(pattern(random, range_of(config, list[v])));
+      for (std::size_t i = 0; i < kBatch; ++i) column[i] = static_cast<Int>(pattern(random, range_of(config, list[v])));
 }
 
 // Draw states of all kinds.
@@ -208,9 +207,9 @@ inline Context random_context(const Config& config, Random& random) {
   const DrawWords draw = random_draw(config, random);
   std::shared_ptr<const BoundTexture> texture;
   if (draw.textured)
-    texture = std::make_shared<BoundTexture>(bind_texture(random_texture(config, draw, random),
-                                                          Shape(config).bump_components, static_cast<Wrap>(draw.wrap_u),
-                                                          static_cast<Wrap>(draw.wrap_v)));
+    texture =
+        std::make_shared<BoundTexture>(bind_texture(random_texture(config, draw, random), Shape(config).bump_components,
+                                                    static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v)));
   set_draw(context, draw, std::move(texture));
   return context;
 }

@@ -29,7 +29,8 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
         if (k >= bump)
           texel[k - bump + 3] = static_cast<float>(std::ldexp(code, -t));
         else
-          texel[k] = static_cast<float>(Shape(config).bump_saturates != 0 ? code / half - 1 : std::ldexp(2 * code - centre, -t));
+          texel[k] = static_cast<float>(Shape(config).bump_saturates != 0 ? code / half - 1
+                                                                          : std::ldexp(2 * code - centre, -t));
       }
       texels.push_back(texel);
     }
@@ -53,9 +54,10 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
     const Texture texture = random_texture(config, draw, random);
     const ExactTexture exact_texture = decoded(config, texture);
     Context context = make_context(config);
-    set_draw(context, draw,
-             std::make_shared<BoundTexture>(
-                 bind_texture(texture, context.config.bump_components, static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v))));
+    set_draw(
+        context, draw,
+        std::make_shared<BoundTexture>(bind_texture(texture, context.config.bump_components,
+                                                    static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v))));
     auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
     fill(config, seed, *batch);
     batch->count = kBatch;
