@@ -33,21 +33,16 @@ struct PerturbInputs {
 }  // namespace wrinkle
 HWY_AFTER_NAMESPACE();
 
-// The lanes of every datapath, for this instruction set.
-#define WRINKLE_LANES
-#define WRINKLE_DATAPATH(name, Type)
-#include "golden/datapath/list.def"
-#undef WRINKLE_DATAPATH
-#undef WRINKLE_LANES
+#include "golden/datapath/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
 
 // The datapath's own perturb_lanes(), over the batch.
-template <class L, class Datapath>
-void perturb_batch(const L& l, const Datapath& said, bool is_bumped, Batch<typename L::Int>& batch) {
-  const Datapath datapath = said;
+template <class L, class Kind>
+void perturb_batch(const L& l, const Kind& said, bool is_bumped, Batch<typename L::Int>& batch) {
+  const Kind datapath = said;
   const auto frame = batch.interpolate_frame, bump = batch.texture_bump, n = batch.perturb_n;
   for (int first = 0; first < batch.count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
