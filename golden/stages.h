@@ -21,12 +21,20 @@ inline constexpr std::array kStageNames{
 };
 inline constexpr int kStages = static_cast<int>(kStageNames.size());
 
+// A set of stages, as bits.
+enum Stages : unsigned {
+#define WRINKLE_STAGE(name, title, moves) k##title = 1U << static_cast<int>(Stage::name),
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+  kAllStages = (1U << kStages) - 1
+};
+
 // A number for each stage, in their order.
 template <class T>
 using PerStage = std::array<T, kStageNames.size()>;
 
 // How often a stage hands on one fragment.
-inline PerStage<int> stage_moves([[maybe_unused]] const Config& c) {
+inline PerStage<int> stage_moves([[maybe_unused]] const Shape& c) {
   return {
 #define WRINKLE_STAGE(name, title, moves) moves,
 #include "golden/stages.def"

@@ -41,7 +41,7 @@ PerStream<StallSource> stall_sources(const BenchOptions& options) {
 void set_words(std::uint64_t& pin, const std::uint64_t* words, std::size_t) { pin = *words; }
 template <std::size_t n>
 void set_words(std::array<std::uint64_t, n>& pin, const std::uint64_t* words, std::size_t count) {
-  std::copy_n(words, std::min(count, n), pin.begin());
+  for (std::size_t k = 0; k < n && k < count; ++k) pin[k] = words[k];
 }
 
 // Drives the pins of one run, clock by clock. Of an input stream NAME it asks NAME_waits(), whether there is something
@@ -125,14 +125,20 @@ class Clockwork {
   }
 
   bool texel_response_waits() { return quads_.is_due(cycle_); }
-  void offer_texel_response() {
-    std::size_t texel = 0;
-#define WRINKLE_INPUT_FIELD(stream, name, most, width)    \
-  if constexpr (Stream::stream == Stream::texel_response) \
-    set_words(pins_.name, quads_.texel(texel++), quads_.texel_words());
+  void offer_texel_response() { quads_.texel_words() == 1 ? offer_texels<1>() : offer_texels<kAnyNumber>(); }
+  void texel_response_taken() { quads_.pop(); }
+  // `known`: words of a texel, to be looped over without a count where it is one.
+  template <std::size_t known>
+  void offer_texels() {
+    const std::size_t words = known != kAnyNumber ? known : quads_.texel_words();
+    const std::uint64_t* texel = quads_.texels();
+#define WRINKLE_INPUT_FIELD(stream, name, most, width)      \
+  if constexpr (Stream::stream == Stream::texel_response) { \
+    set_words(pins_.name, texel, words);                    \
+    texel += words;                                         \
+  }
 #include "golden/streams.def"
   }
-  void texel_response_taken() { quads_.pop(); }
 
   void fragment_taken() {
     const Fragment f = read_fragment(pins_, colour_bits_, channels_);

@@ -1,5 +1,6 @@
 #include "tb/quad_fetch.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -15,7 +16,8 @@ void QuadFetch::start(const Run& run) {
   latency_ = LatencySource(run.options->stalls, run.options->latency, run.options->seed * 8 + 5);
   trilinear_ = run.config->trilinear();
   texel_words_ = directory_.texel_words();
-  texels_.assign(kWaiting * 2 * kQuad * texel_words_, 0);
+  response_words_ = 2 * kQuad * texel_words_;
+  texels_.assign(kWaiting * response_words_, 0);
   tlm::tlm_generic_payload probe;
   probe.set_command(tlm::TLM_READ_COMMAND);
   probe.set_address(0);
@@ -25,11 +27,7 @@ void QuadFetch::start(const Run& run) {
 
 void QuadFetch::invalidate(sc_dt::uint64, sc_dt::uint64) { direct_ = nullptr; }
 
-void QuadFetch::read_texel(std::uint64_t address, std::uint64_t* texel) {
-  if (direct_ != nullptr) {
-    for (std::size_t k = 0; k < texel_words_; ++k) std::memcpy(texel + k, direct_ + address + 8 * k, sizeof *texel);
-    return;
-  }
+void QuadFetch::transact(std::uint64_t address, std::uint64_t* texel) {
   const auto length = static_cast<unsigned>(texel_words_ * sizeof *texel);
   tlm::tlm_generic_payload read;
   sc_core::sc_time delay;
@@ -44,23 +42,38 @@ void QuadFetch::read_texel(std::uint64_t address, std::uint64_t* texel) {
 }
 
 // Fields of the request as in docs/formats.md.
+template <std::size_t known>
 bool QuadFetch::read_quad(std::uint64_t request, std::uint64_t* quad) {
+  const std::size_t words = known != kAnyNumber ? known : texel_words_;
   const auto field = [request](int low, int width) {
     return static_cast<std::uint32_t>(request >> low) & ((1U << width) - 1);
   };
   const std::uint32_t x[2] = {field(0, 12), field(12, 12)}, y[2] = {field(24, 12), field(36, 12)};
   const TexelStore::Level* level = directory_.level(field(52, 12), field(48, 4));
-  std::fill_n(quad, kQuad * texel_words_, 0);
+  std::fill_n(quad, kQuad * words, 0);
   if (level == nullptr) return false;
   bool legal = true;
   for (std::size_t i = 0; i < kQuad; ++i) {
     const std::uint32_t column = x[i & 1], row = y[i >> 1];
-    if (column < level->width && row < level->height)
-      read_texel(directory_.address(*level, column, row), quad + i * texel_words_);
-    else
+    if (column >= level->width || row >= level->height) {
       legal = false;
+      continue;
+    }
+    const std::uint64_t address = level->base + sizeof *quad * words * (std::uint64_t{row} * level->width + column);
+    if (direct_ != nullptr)
+      std::memcpy(quad + i * words, direct_ + address, words * sizeof *quad);
+    else
+      transact(address, quad + i * words);
   }
   return legal;
 }
+
+template <std::size_t known>
+bool QuadFetch::read_quads(std::uint64_t a, std::uint64_t b, std::uint64_t* texels) {
+  const bool legal = read_quad<known>(a, texels);
+  return (!trilinear_ || read_quad<known>(b, texels + kQuad * texel_words_)) && legal;
+}
+template bool QuadFetch::read_quads<1>(std::uint64_t, std::uint64_t, std::uint64_t*);
+template bool QuadFetch::read_quads<kAnyNumber>(std::uint64_t, std::uint64_t, std::uint64_t*);
 
 }  // namespace wrinkle

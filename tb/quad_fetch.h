@@ -13,6 +13,9 @@
 
 namespace wrinkle {
 
+// In the place of a number of words that is not known to the compiler.
+inline constexpr std::size_t kAnyNumber = 0;
+
 // Called by the core once a clock, through a port bound to the class itself so that calls need no table.
 class QuadFetch final : public sc_core::sc_module, virtual public sc_core::sc_interface {
  public:
@@ -27,8 +30,7 @@ class QuadFetch final : public sc_core::sc_module, virtual public sc_core::sc_in
   bool request(std::uint64_t a, std::uint64_t b, std::uint64_t now) {
     if (tail_ - head_ == kWaiting) return false;
     std::uint64_t* const texels = texels_of(tail_);
-    bool legal = read_quad(a, texels);
-    if (trilinear_) legal = read_quad(b, texels + kQuad * texel_words_) && legal;
+    const bool legal = texel_words_ == 1 ? read_quads<1>(a, b, texels) : read_quads<kAnyNumber>(a, b, texels);
     // In order: none is due before the one ahead of it.
     last_due_ = std::max(last_due_, now + 1 + latency_.next());
     due_[tail_ % kWaiting] = last_due_;
@@ -38,8 +40,8 @@ class QuadFetch final : public sc_core::sc_module, virtual public sc_core::sc_in
 
   // Whether the oldest response is due.
   bool is_due(std::uint64_t now) const { return head_ != tail_ && due_[head_ % kWaiting] <= now; }
-  // Texel of the oldest response: (x0,y0) (x1,y0) (x0,y1) (x1,y1) of a, then of b, texel_words() words each.
-  const std::uint64_t* texel(std::size_t index) { return texels_of(head_) + index * texel_words_; }
+  // Texels of the oldest response: (x0,y0) (x1,y0) (x0,y1) (x1,y1) of a, then of b, texel_words() words each.
+  const std::uint64_t* texels() { return texels_of(head_); }
   std::size_t texel_words() const { return texel_words_; }
   void pop() { ++head_; }
   bool empty() const { return head_ == tail_; }
@@ -50,15 +52,17 @@ class QuadFetch final : public sc_core::sc_module, virtual public sc_core::sc_in
 
   static constexpr std::size_t kQuad = 4;
 
-  std::uint64_t* texels_of(std::uint64_t request) {
-    return texels_.data() + request % kWaiting * (2 * kQuad * texel_words_);
-  }
+  std::uint64_t* texels_of(std::uint64_t request) { return texels_.data() + request % kWaiting * response_words_; }
+  // `known`: words of a texel, so that the common one costs no loops.
+  template <std::size_t known>
+  bool read_quads(std::uint64_t a, std::uint64_t b, std::uint64_t* texels);
+  template <std::size_t known>
   bool read_quad(std::uint64_t request, std::uint64_t* quad);
-  void read_texel(std::uint64_t address, std::uint64_t* texel);
+  void transact(std::uint64_t address, std::uint64_t* texel);
   void invalidate(sc_dt::uint64 first, sc_dt::uint64 last);
 
   const TexelStore& directory_;
-  std::size_t texel_words_ = 1;
+  std::size_t texel_words_ = 1, response_words_ = 2 * kQuad;
   std::vector<std::uint64_t> due_, texels_;
   std::uint64_t head_ = 0, tail_ = 0, last_due_ = 0;
   LatencySource latency_{StallProfile::kNone, 0, 0};

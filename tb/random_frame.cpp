@@ -146,7 +146,7 @@ ScreenTriangle random_triangle(const Config& config, const DrawState& state, con
     vertex.N = random_vector(random);
     vertex.L = random_vector(random);
     vertex.H = random_vector(random);
-    if (shape.frame_prepared == 0) continue;
+    if (Shape(config).frame_prepared == 0) continue;
     // Mostly a normal perturbed by less than its length.
     vertex.frame[0] = random_vector(random);
     const double scale = std::exp2(-3 * random.real());

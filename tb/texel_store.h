@@ -28,10 +28,6 @@ class TexelStore {
     const std::size_t index = first_level_[texture] + level;
     return index < first_level_[texture + 1] ? &levels_[index] : nullptr;
   }
-  // Byte address of a texel; it must lie in the level.
-  std::uint64_t address(const Level& level, std::uint32_t x, std::uint32_t y) const {
-    return level.base + sizeof(std::uint64_t) * texel_words_ * (std::uint64_t{y} * level.width + x);
-  }
   unsigned char* bytes() { return reinterpret_cast<unsigned char*>(words_.data()); }
   std::uint64_t size() const { return words_.size() * sizeof(std::uint64_t); }
 

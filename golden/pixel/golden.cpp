@@ -27,7 +27,8 @@ class BatchBuilder {
     if (drawn) spans_->span[static_cast<std::size_t>(spans_->count - 1)].last = true;
   }
 
-  // Called only when another fragment or nothing follows: till then the last pixel of a packet may yet be marked.
+  // Hands on the batch. This must be called late, when the next fragment is there or none is left: until then the last
+  // fragment of the batch may still turn out to be the last of its packet.
   void flush() {
     if (batch_->count == 0) return;
     run_stages(lanes_, context_, kAllStages, *spans_, *batch_);

@@ -8,14 +8,6 @@
 
 namespace wrinkle {
 
-// A set of stages, as bits.
-enum Stages : unsigned {
-#define WRINKLE_STAGE(name, title, moves) k##title = 1U << static_cast<int>(Stage::name),
-#include "golden/stages.def"
-#undef WRINKLE_STAGE
-  kAllStages = (1U << kStages) - 1
-};
-
 // Runs `stages` over the fragments of the batch. What a stage reads must be there, in the format of values.def.
 // kSimd takes either width, where the configuration fits (lane_bits()); the scalar instances take the wide one.
 void run_stages(Lanes lanes, const Context& context, unsigned stages, const Spans<std::int32_t>& spans,

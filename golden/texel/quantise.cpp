@@ -12,7 +12,7 @@ constexpr Texel kFlat{0, 0, 1, 1, 1, 1};
 
 int log2_of(int size) { return std::countr_zero(static_cast<unsigned>(size)); }
 
-// Half the distance to the next code is added and cut off: ties go up.
+// Rounds to the nearest code; ties go up.
 double round_half_up(double x) { return std::floor(x + 0.5); }
 
 // Level `level` of a texture of width x height at level 0, from a chain that may be smaller, larger or of another

@@ -47,13 +47,6 @@ std::set<std::string> words_of(const std::string& text, const char* pattern) {
   return words;
 }
 
-void collect(const std::string& module, std::set<std::string>& found) {
-  if (!found.insert(module).second) return;
-  for (const std::string& name : words_of(read_text(file_of(module)), R"(\b(wrinkle_\w+))")) {
-    if (all_modules().contains(name)) collect(name, found);
-  }
-}
-
 std::string upper(std::string_view name) {
   std::string text(name);
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::toupper(c)); });
@@ -93,14 +86,6 @@ std::vector<StageModule> instances_of_core(const std::string& chparams) {
 }  // namespace
 
 std::vector<std::string> stage_names() { return {kStageNames.begin(), kStageNames.end()}; }
-
-std::vector<fs::path> module_sources(const std::string& module) {
-  std::set<std::string> names;
-  collect(module, names);
-  std::vector<fs::path> sources;
-  for (const std::string& name : names) sources.push_back(file_of(name));
-  return sources;
-}
 
 VerilogParameters core_parameters(const Config& config) {
   const std::string text =

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 // Direction and width by name.
 using Ports = std::map<std::string, std::pair<std::string, int>>;
 
-Ports listed_ports(const Config& c) {
+Ports listed_ports(const Shape& c) {
   Ports ports{{"clk", {"input", 1}}, {"rst", {"input", 1}}};
   const auto stream = [&](const std::string& name, const char* forth, const char* back) {
     const bool in = std::string(forth) == "_i";
@@ -166,8 +166,8 @@ TEST(Taps, OfAStageThatMovesAFragmentSeveralTimes) {
   const auto at = [](Stage stage) { return static_cast<std::size_t>(stage); };
   PerStage<int> moves = stage_moves(Config{});
   moves[at(Stage::texture)] = 3;
-  const std::vector<Value> list{{"scan", "x", 1, 8, 0, false, true, "scan_x", 0},
-                                {"texture", "tap", 1, 8, 0, false, true, "texture_tap", 4}};
+  const std::vector<Value> list{{"scan", "x", 1, 8, 0, false, ValueKind::wire, "scan_x", 0},
+                                {"texture", "tap", 1, 8, 0, false, ValueKind::wire, "texture_tap", 4}};
   MadeUpWire scan_valid("scan_valid", 1), scan_ready("scan_ready", 1), scan_x("scan_x", 1);
   MadeUpWire texture_valid("texture_valid", 1), texture_ready("texture_ready", 1), tap("texture_tap", 2);
   const std::vector<Wire> wires{scan_valid.wire(),    scan_ready.wire(),    scan_x.wire(),
@@ -209,8 +209,10 @@ TEST(TexelStore, TexelsAreAsWideAsTheWidest) {
   store.load({narrow, wide});
   ASSERT_EQ(store.texel_words(), 3U);
   const auto word = [&](unsigned texture, unsigned level, std::uint32_t x, std::uint32_t y, std::size_t k) {
+    const TexelStore::Level& place = *store.level(texture, level);
     std::uint64_t value = 0;
-    std::memcpy(&value, store.bytes() + store.address(*store.level(texture, level), x, y) + 8 * k, sizeof value);
+    std::memcpy(&value, store.bytes() + place.base + 8 * (store.texel_words() * (y * place.width + x) + k),
+                sizeof value);
     return value;
   };
   EXPECT_EQ(word(0, 0, 0, 0, 0), 11U);  // above its 24 bits there is nothing
@@ -241,7 +243,7 @@ TEST(Streams, TexelsWiderThanAWordReachTheCore) {
   };
   for (const char* name : {"a00", "a10", "a01", "a11", "b00", "b10", "b01", "b11"}) {
     const std::string port = "texel_" + std::string(name) + "_i";
-    const std::size_t declared = core.find(" " + port);
+    const std::size_t declared = core.find(" " + port + ";");
     ASSERT_NE(declared, std::string::npos) << port;
     const std::size_t width = core.rfind(")-1:0]", declared);
     ASSERT_NE(width, std::string::npos) << port;
