@@ -70,9 +70,9 @@ class Attributes {
   }
 
   Interpolated at(const Weights& weights) const {
-    return {weights.of(n_),       weights.of(l_),       weights.of(h_), weights.of(cross_[0]),
+    return {weights.of(n_),        weights.of(l_),        weights.of(h_), weights.of(cross_[0]),
             weights.of(cross_[1]), weights.of(cross_[2]), weights.of(u_), weights.of(v_),
-            weights.of(q_),       weights.of(lod_),     weights.of(z_)};
+            weights.of(q_),        weights.of(lod_),      weights.of(z_)};
   }
 
  private:
