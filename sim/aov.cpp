@@ -14,7 +14,7 @@ using Exact = double (*)(const ExactFragment&);
 
 struct Aov {
   std::string_view name, description;
-  std::string_view stage, value;  // of components.def; empty for `triangle`
+  std::string_view stage, value;  // of values.def; empty for `triangle`
   std::vector<Exact> exact;       // one per element
 };
 
@@ -79,16 +79,16 @@ void append(const Config& config, const Aov& aov, std::vector<AovChannel>& chann
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Value& value = all[i];
     if (value.stage != stage_of(config, aov) || value.name != aov.value) continue;
-    if (!value.present)
-      throw InputError(Place{fmt::format("--aov {}", aov.name)},
-                       fmt::format("this configuration has no {}_{}", value.stage, value.name));
     for (std::size_t e = 0; e < aov.exact.size(); ++e) {
       const std::string suffix = aov.exact.size() == 1 ? "" : fmt::format(".{}", "xyz"[e]);
       channels.push_back(
           {std::string(aov.name) + suffix, int(i), e, std::ldexp(1.0, -value.fraction_bits), aov.exact[e]});
       if (config.normalizes_after() && value.stage == "normalize") multiply_by_scale(all, channels.back());
     }
+    return;
   }
+  throw InputError(Place{fmt::format("--aov {}", aov.name)},
+                   fmt::format("this configuration has no {}_{}", stage_of(config, aov), aov.value));
 }
 
 }  // namespace

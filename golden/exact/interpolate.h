@@ -54,7 +54,7 @@ class Attributes {
     n_ = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
     l_ = vector_corners(config, corners, &ScreenVertex::L, config.normalizer_l);
     h_ = vector_corners(config, corners, &ScreenVertex::H, config.third_normalizer);
-    if (config.frame_unbounded != 0) cross_ = cross_corners(config, corners, draw);
+    if (config.frame_unbounded != 0) cross_ = frame_corners(config, corners, draw);
     for (std::size_t i = 0; i < 3; ++i) z_[i] = depth_in_format(config, corners.v[i]->z);
     if (!draw.textured) return;
     const TextureCorners texture = texture_corners(config, corners, draw);
@@ -70,14 +70,14 @@ class Attributes {
   }
 
   Interpolated at(const Weights& weights) const {
-    return {weights.of(n_),       weights.of(l_),       weights.of(h_), weights.of(cross_.a),
-            weights.of(cross_.b), weights.of(cross_.c), weights.of(u_), weights.of(v_),
-            weights.of(q_),       weights.of(lod_),     weights.of(z_)};
+    return {weights.of(n_),        weights.of(l_),        weights.of(h_), weights.of(cross_[0]),
+            weights.of(cross_[1]), weights.of(cross_[2]), weights.of(u_), weights.of(v_),
+            weights.of(q_),        weights.of(lod_),      weights.of(z_)};
   }
 
  private:
   std::array<Vec3, 3> n_, l_, h_;
-  CrossCorners cross_;
+  std::vector<std::array<Vec3, 3>> cross_{3};
   std::array<double, 3> u_{}, v_{}, q_{1, 1, 1}, lod_{}, z_{};
 };
 

@@ -50,9 +50,7 @@ double full_scale(int bits) { return 1 / (1 - std::ldexp(1.0, -bits)); }
 }  // namespace
 
 GoldenReals::GoldenReals(const Shape& config) : values_(values(config)), grey_(config.count == 1) {
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (values_[i].present) add(config, values_[i], i);
-  }
+  for (std::size_t i = 0; i < values_.size(); ++i) add(config, values_[i], i);
 }
 
 void GoldenReals::add(const Shape& config, const Value& value, std::size_t index) {

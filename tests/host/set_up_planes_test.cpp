@@ -11,9 +11,9 @@ using namespace test;
 // One of the nine components of Pu x Pv, Pv x N and N x Pu, at corner i of `t`.
 double cross_value(const Config& config, const ScreenTriangle& t, Component component, std::size_t i) {
   const Corners corners = sort_corners(config, t);
-  const CrossCorners cross = cross_corners(config, corners, bumped());
+  const std::vector<std::array<Vec3, 3>> frame = frame_corners(config, corners, bumped());
   const std::size_t place = at(component) - at(Component::kAx);
-  const auto& vectors = place < 3 ? cross.a : place < 6 ? cross.b : cross.c;
+  const auto& vectors = frame[place / 3];
   for (std::size_t k = 0; k < 3; ++k) {
     if (corners.v[k] != &t.v[i]) continue;
     return place % 3 == 0 ? vectors[k].x : place % 3 == 1 ? vectors[k].y : vectors[k].z;
