@@ -2,6 +2,7 @@
 
 #include <tlm_utils/tlm_quantumkeeper.h>
 
+#include "tb/idle_watch.h"
 #include "tb/tap_recorder.h"
 
 namespace wrinkle {
@@ -36,6 +37,7 @@ class Clockwork {
         words_(words),
         quads_(quads),
         taps_(*run.config),
+        idle_(*run.config),
         packet_stall_(run.options->stalls, run.options->seed * 8 + 1),
         request_stall_(run.options->stalls, run.options->seed * 8 + 2),
         response_stall_(run.options->stalls, run.options->seed * 8 + 3),
@@ -123,6 +125,9 @@ class Clockwork {
     if (request_taken && !quads_.request(pins_.texel_request_a, pins_.texel_request_b, cycle_) && !run_.bad_request) {
       run_.bad_request = here(Difference::Kind::kRequest, "texture");
     }
+    const bool moving = pins_.texel_request_valid || !quads_.empty() || pins_.fragment_valid;
+    if (!idle_.good(pins_.idle != 0, moving, packet_taken, pins_.packet_word))
+      run_.differ(here(Difference::Kind::kIdle));
     if (fragment_taken) emit(out);
     if (packet_taken || request_taken || response_taken || fragment_taken) last_transfer_ = cycle_;
 
@@ -191,6 +196,7 @@ class Clockwork {
   BlockReader<WordBlock>& words_;
   QuadFetch& quads_;
   TapRecorder taps_;
+  IdleWatch idle_;
   StallSource packet_stall_, request_stall_, response_stall_, fragment_stall_;
   int colour_bits_, channels_;
   Pins pins_;
