@@ -59,7 +59,7 @@ class Covering : public testing::TestWithParam<int> {
 TEST_P(Covering, FramesAreBitExactInEveryStage) {
   RandomFrame wish;
   wish.seed = seed_;
-  wish.fragments = 3000;
+  wish.fragments = 4000;
   const Frame frame = random_frame(config_, wish);
   expect_taps_are_golden(config_, build_packets(config_, frame), frame.textures, quickly_built(seed_));
 }
