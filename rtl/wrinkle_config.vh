@@ -106,9 +106,9 @@
   localparam TEXTURED = TEXELS != 0 ? 1 : 0;  // 1: there is a texture unit
   localparam BUMP = BUMP_COMPONENTS * BUMP_WIDTH;  // bits of the decoded bump map
   localparam DECALS = COLOURS * TEXEL_BITS;  // bits of the base colour
-  localparam UV = TEXTURED * (UV_INTEGER_BITS + UV_BITS);  // bits of u, of v
-  localparam Q = PERSPECTIVE != 0 ? TEXTURED * Q_BITS : 0;  // bits of the interpolated 1/w; 0: no division
-  localparam LOD = TEXTURED * (FILTER == 2 ? 6 + LOD_BITS : 6);  // bits of the level of detail
+  localparam UV = TEXTURED != 0 ? UV_INTEGER_BITS + UV_BITS : 0;  // bits of u, of v
+  localparam Q = PERSPECTIVE != 0 && TEXTURED != 0 ? Q_BITS : 0;  // bits of the interpolated 1/w; 0: no division
+  localparam LOD = TEXTURED == 0 ? 0 : FILTER == 2 ? 6 + LOD_BITS : 6;  // bits of the level of detail
   localparam LOD_PLANE = Q != 0 ? LOD : 0;  // the same where it is interpolated
   // the same where it is held over a triangle: without a sign, and below 16
   localparam LOD_HELD = Q == 0 && LOD != 0 ? LOD - 2 : 0;

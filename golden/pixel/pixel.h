@@ -38,6 +38,8 @@ struct Value {
   std::string_view stage, name;
   int elements, width, fraction_bits;
   bool is_signed, present;
+  std::string_view wire;  // of wrinkle_core, on which it lies from `lowest_bit` on, element 0 first
+  int lowest_bit;
 };
 // All values in pipeline order, those the configuration lacks included (present = false).
 std::vector<Value> values(const Shape& config);
@@ -46,6 +48,10 @@ std::vector<Value> values(const Shape& config);
 using FragmentValues = std::vector<std::array<std::int64_t, 3>>;
 template <class Int>
 void extract(const Batch<Int>& batch, int index, FragmentValues& out);
+
+// Element of a value for all fragments of a batch; `value` as in values().
+template <class Int>
+const Int* column(const Batch<Int>& batch, std::size_t value, std::size_t element);
 
 // What leaves the hardware.
 struct Fragment {

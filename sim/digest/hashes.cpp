@@ -7,8 +7,8 @@
 #include <new>
 #include <utility>
 
+#include "golden/stages.h"
 #include "sim/digest/table.h"
-#include "tb/model.h"
 
 namespace wrinkle {
 namespace {
@@ -76,7 +76,7 @@ void StageHashes::add(const Fragment& f, const FragmentValues& values) {
 
 std::vector<std::string> StageHashes::texts() {
   std::vector<std::string> texts{hash_text(fragments_.digest())};
-  for (int stage = 0; stage < kStages; ++stage) {
+  for (int stage = static_cast<int>(Stage::scan); stage < kStages; ++stage) {
     Hash whole;
     bool any = false;
     for (Column& column : columns_) {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "golden/stages.h"
 #include "sim/input_error.h"
-#include "tb/model.h"
 
 namespace wrinkle {
 namespace {
@@ -35,7 +35,7 @@ void set(Config& config, const std::string& assignment, const Place& place) {
   const auto all = parameters();
   const auto parameter = std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.name == key; });
   if (equals == std::string::npos || parameter == all.end())
-    throw InputError(place, "\"" + assignment + "\"", "KEY=VALUE with a parameter of golden/parameters.def");
+    throw InputError(place, "\"" + assignment + "\"", "KEY=VALUE with a parameter of golden/config/parameters.def");
   int& value = config.*(parameter->member);
   const char* const last = assignment.data() + assignment.size();
   const auto [end, error] = std::from_chars(assignment.data() + equals + 1, last, value);
@@ -65,7 +65,7 @@ Config config_of(const std::string& settings, const std::string& file, unsigned 
 
 std::vector<std::string> measured_columns() {
   std::vector<std::string> names{"fragments", "clocks", "rtl", "fragment"};
-  names.insert(names.end(), std::begin(kStageNames), std::end(kStageNames));
+  names.insert(names.end(), std::begin(kStageNames) + static_cast<int>(Stage::scan), std::end(kStageNames));
   return names;
 }
 

@@ -51,7 +51,8 @@ class Latency : public testing::TestWithParam<std::string> {};
 
 TEST_P(Latency, IsWhatTheDocumentStates) { EXPECT_EQ(stated_latency(GetParam()), measured_latency(GetParam())); }
 
-INSTANTIATE_TEST_SUITE_P(, Latency, testing::ValuesIn(named_configs()), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(, Latency, testing::ValuesIn(named_configs()),
+                         [](const auto& suite) { return suite.param; });
 
 }  // namespace
 }  // namespace wrinkle

@@ -1,6 +1,5 @@
 `default_nettype none
-// One column of a heap: COUNT bits of one weight become one bit of it and COUNT/2 carries, by full adders and at most
-// one half adder, the oldest bits first. Combinational.
+// rtl/lib/wrinkle_heap_column.v for standard cells: its adders are cells from the start.
 module wrinkle_heap_column #(
   parameter COUNT = 5
 ) (
@@ -23,8 +22,7 @@ module wrinkle_heap_column #(
       if (3 * j + 2 >= COUNT + ADDERS - (COUNT % 2 == 0 ? 1 : 0)) assign c = 1'b0;
       else if (3 * j + 2 < COUNT) assign c = bits_i[3*j+2];
       else                        assign c = adders[3*j+2-COUNT].sum;
-      assign sum = a ^ b ^ c;
-      assign carry_o[j] = (a & b) | (c & (a | b));
+      \$fa #(.WIDTH(1)) adder (.A(a), .B(b), .C(c), .X(carry_o[j]), .Y(sum));
     end
     if (ADDERS == 0) begin : single
       assign sum_o = bits_i[0];

@@ -1,7 +1,6 @@
 `default_nettype none
-// One linear segment of a table: the leading RESULT_BITS bits of (base << N) + slope * dx, without the dots of the product in columns below
-// DROPPED_COLUMNS; the sum fits its width. Combinational. [golden/pixel/compact_rsqrt.h]
-module wrinkle_cut_segment #(
+// rtl/unit/wrinkle_truncated_segment.v, arranged: base and dots in one bit heap.
+module wrinkle_truncated_segment #(
   parameter N               = 5,
   parameter BASE_BITS       = 12,
   parameter SLOPE_BITS      = 7,
@@ -41,7 +40,7 @@ module wrinkle_cut_segment #(
   endgenerate
   assign rows[N*COLUMNS +: COLUMNS] = {base_i, {N{1'b0}}};
 
-  wrinkle_heap #(.ROWS(ROWS), .COLUMNS(COLUMNS), .MASK(mask(1'b0))) heap (.rows_i(rows), .sum_o(sum));
+  wrinkle_bit_heap #(.ROWS(ROWS), .COLUMNS(COLUMNS), .MASK(mask(1'b0))) heap (.rows_i(rows), .sum_o(sum));
   assign result_o = sum[COLUMNS-1 -: RESULT_BITS];
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 `default_nettype none
 // Sum of ROWS rows modulo 2^COLUMNS with as few full adders as there can be: bits that MASK says are always 0 take part
 // in nothing. Row i is rows_i[i*COLUMNS +: COLUMNS]. Combinational.
-module wrinkle_heap #(
+module wrinkle_bit_heap #(
   parameter ROWS = 3,
   parameter COLUMNS = 8,
   parameter [ROWS*COLUMNS-1:0] MASK = {ROWS*COLUMNS{1'b1}}
@@ -52,7 +52,7 @@ module wrinkle_heap #(
         if (HEIGHT > DOTS) begin : carries
           assign bits[HEIGHT-1:DOTS] = columns[c-1].carry;
         end
-        wrinkle_heap_column #(.COUNT(HEIGHT)) column (.bits_i(bits), .sum_o(sum_o[c]), .carry_o(carry));
+        wrinkle_bit_heap_column #(.COUNT(HEIGHT)) column (.bits_i(bits), .sum_o(sum_o[c]), .carry_o(carry));
       end
       if (c == COLUMNS - 1 || HEIGHT < 2) begin : loose
         wire unused_carry = &{1'b0, carry};

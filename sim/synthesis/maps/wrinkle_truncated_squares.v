@@ -1,7 +1,7 @@
 `default_nettype none
-// x^2 + y^2 + z^2 + CONSTANT of three unsigned magnitudes, each square without that of the low CUT bits. Combinational.
-// Folded: bit i alone weighs 2^(2i), bits i < j together 2^(i+j+1). [golden/pixel/compact_geometry.h]
-module wrinkle_cut_squares #(
+// rtl/unit/wrinkle_truncated_squares.v, arranged: one bit heap of folded squares, in which bit i alone weighs
+// 2^(2i), bits i < j together 2^(i+j+1). Dots of two bits below CUT are left out.
+module wrinkle_truncated_squares #(
   parameter BITS = 11,
   parameter CUT  = 0,
   parameter [2*BITS+1:0] CONSTANT = 0
@@ -49,6 +49,6 @@ module wrinkle_cut_squares #(
   endgenerate
   assign rows[ROWS*COLUMNS-1 -: COLUMNS] = CONSTANT;
 
-  wrinkle_heap #(.ROWS(ROWS), .COLUMNS(COLUMNS), .MASK(mask(1'b0))) heap (.rows_i(rows), .sum_o(sum_o));
+  wrinkle_bit_heap #(.ROWS(ROWS), .COLUMNS(COLUMNS), .MASK(mask(1'b0))) heap (.rows_i(rows), .sum_o(sum_o));
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 `default_nettype none
-// Three magnitudes, shifted up together by the leading zeros of their OR; zero_o when there is none that is set.
-// Combinational. A stage moves by HOP places when the top HOP bits of all three are 0: where a moved bit meets one of
-// those, an OR takes the place of the multiplexer.
+// rtl/unit/wrinkle_block_shift.v, arranged: the zeros are counted and shifted out stage by stage. A stage moves by HOP
+// places when the top HOP bits of all three are 0: where a moved bit meets one of those, an OR takes the place of the
+// multiplexer.
 module wrinkle_block_shift #(
   parameter BITS = 10
 ) (
