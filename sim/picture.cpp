@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "sim/input_error.h"
+#include "sim/scene/files.h"
 
 namespace wrinkle {
 namespace {
@@ -25,6 +26,7 @@ fs::path temporary_beside(const fs::path& path) {
 // Runs `write` on a temporary name and moves the result to `path`; removes it when `write` throws.
 template <class Write>
 void write_whole(const fs::path& path, Write write) {
+  check_not_read(path);
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
   const fs::path temporary = temporary_beside(path);
@@ -47,7 +49,7 @@ void write_picture(const fs::path& path, const Picture& image) {
       OIIO::geterror();
       throw InputError(Place{path.string()}, "an unknown ending", ".png or .exr");
     }
-    const bool is_float = path.extension() == ".exr";
+    const bool is_float = extension_of(path) == ".exr";
     OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()),
                          is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
     spec.channelnames = image.channels;

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace wrinkle {
+#include "golden/texel/wrap.h"
 
-enum class Wrap : std::uint8_t { kRepeat = 0, kClamp = 1, kMirror = 2 };
+namespace wrinkle {
 
 // A mip chain of packed texel words: component 0 (normal x) in the low bits, `component_bits` each.
 // Level l is max(width >> l, 1) by max(height >> l, 1), row-major; sizes are powers of two.
