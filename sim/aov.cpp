@@ -53,13 +53,13 @@ const std::vector<Aov>& table() {
 #undef WRINKLE_EXACT3
 #undef WRINKLE_EXACT
 
-// u and v are what the texture stage sees: behind the division where there is one.
+// u and v are those that the texture stage reads: after the division, where there is one.
 std::string_view stage_of(const Config& config, const Aov& aov) {
   if (config.perspective != 0 && (aov.name == "u" || aov.name == "v")) return "perspective";
   return aov.stage;
 }
 
-// Vectors that are normalized after the dot products are mantissas, and of unit length by their scales.
+// Vectors that are normalized after the dot products are mantissas; times its scale each has unit length.
 void multiply_by_scale(const std::vector<Value>& all, AovChannel& channel) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].stage != "normalize" || all[i].name != "scale") continue;

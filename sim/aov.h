@@ -17,7 +17,7 @@ struct AovChannel {
   std::size_t element = 0;
   double scale = 1;                                 // turns the integer into a real number
   double (*exact)(const ExactFragment&) = nullptr;  // the same number of a float64 engine
-  int factor = -1;                                  // index of the value that multiplies it; -1 for none
+  int factor = -1;                                  // index of the value that it is multiplied by; -1: none
   std::size_t factor_element = 0;
 };
 
@@ -27,7 +27,7 @@ struct AovName {
 };
 std::vector<AovName> aov_names();
 
-// Throws InputError for a name that does not exist, or that the configuration has not.
+// Throws InputError for a name that does not exist, or for a value that the configuration does not have.
 std::vector<AovChannel> aov_channels(const Config& config, const std::vector<std::string>& names);
 
 }  // namespace wrinkle

@@ -43,7 +43,8 @@ ScreenVertex corner(const Config& config, int x, int y) {
   return v;
 }
 
-// A textured screen of 512 by 512 as squares of `side` pixels, two triangles each, with the draw state of `like`.
+// A textured screen of 512 by 512 pixels, cut into squares of `side` pixels with two triangles each. It has the draw
+// state of `like`.
 Frame squares(const Config& config, const Frame& like, int side) {
   Frame frame;
   frame.name = fmt::format("squares of {}", side);

@@ -15,7 +15,8 @@
 
 namespace wrinkle {
 
-// Done and equal, compared and different, bad input or nothing could be done.
+// The program did what was asked and all was equal; it compared and found a difference; the input was bad, or nothing
+// could be done.
 inline constexpr int kExitEqual = 0, kExitDifferent = 1, kExitBadInput = 2;
 
 // Set by the command that was chosen; returns the exit code.
@@ -56,7 +57,7 @@ struct RtlOptions {
 };
 void add_rtl_options(CLI::App& command, RtlOptions& options);
 BenchOptions bench_options(const RtlOptions& options);
-// Options of a bench that only says on the terminal when a model is built.
+// The bench prints nothing but that a model is being built, and that only on a terminal.
 BenchOptions quiet_bench_options();
 
 // --json FILE.
@@ -66,14 +67,15 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& object)
 
 // --camera, --light, --background, --exposure.
 void add_scene_options(CLI::App& command, SceneOverrides& overrides);
-// A scene by path, or one of sim/scenes by its bare name. Says on standard error what the reader passed over.
+// A scene by path, or one of sim/scenes by its bare name. What the reader passed over is printed on standard
+// error.
 Scene scene_named(const std::string& name_or_path, const SceneOverrides& overrides = {});
 // Says on standard error what the configuration takes from the scene.
 void say_losses(const Config& config, const Scene& scene);
 // One line on standard error, in the place of a progress line.
 void say(const std::string& message);
 
-// The reference material beside the project, where it is present; else an empty path.
+// The folder of reference material beside the project; an empty path where it is not present.
 std::filesystem::path shared_assets();
 
 nlohmann::json to_json(const Difference& difference);

@@ -58,7 +58,7 @@ nlohmann::json compare_engines(const Comparison& comparison, const RtlOptions& r
   const Config config = chosen_config({config_name, comparison.set}, scene.config);
   const Frame frame = build_frame(config, scene);
   Pictures pictures;
-  // Once as fast as it goes, for the clocks, and once under stalls: both are compared.
+  // The RTL draws twice: once without stalls, which gives the clocks, and once under stalls. Both are compared.
   RtlOptions unstalled = rtl;
   unstalled.stalls = "none";
   const BenchResult run = draw_and_compare(config, frame, bench_options(unstalled), pictures);

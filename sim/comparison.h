@@ -35,7 +35,7 @@ void print_comparison_heading();
 nlohmann::json compare_engines(const Comparison& comparison, const RtlOptions& rtl, const std::filesystem::path& folder,
                                std::vector<Picture>& sheet);
 
-// Differences in difference pictures are shown this many times as large, about mid grey.
+// A difference picture shows differences this many times as large, about mid grey.
 inline constexpr double kDifferenceGain = 8;
 
 }  // namespace wrinkle

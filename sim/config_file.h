@@ -18,7 +18,8 @@ std::vector<std::string> named_configs();
 // is legal; InputError says file, line, key, value, legal range and reason otherwise.
 Config load_config(const std::string& name_or_path, const std::filesystem::path& folder = ".");
 
-// `config` with assignments such as "unit_bits=12" or "filter=bilinear" made, all of them before the result is checked.
+// `config` with assignments such as "unit_bits=12" or "filter=bilinear". All of them are made before the result is
+// checked.
 Config apply_overrides(Config config, std::span<const std::string> assignments);
 
 // The file that load_config() reads `config` from: every key, with its legal range and meaning.

@@ -69,7 +69,7 @@ EngineRun draw_golden(Lanes lanes, const Config& config, const Frame& frame, con
   return run;
 }
 
-// Drawn, not verified: what the RTL put out, whatever the golden model says.
+// The RTL is drawn here and not verified: the picture is what it put out, right or wrong.
 EngineRun draw_rtl(const Config& config, const Frame& frame, const std::vector<AovChannel>& aovs,
                    const SampleSink& sink) {
   const PacketStream stream = build_packets(config, frame);

@@ -20,7 +20,7 @@ struct Options {
   RtlOptions rtl;
 };
 
-// What these pictures are made for is to show the hardware: float64 engines have no mismatches to count.
+// These pictures show the hardware, so the engines in float64 are not offered.
 Engine hardware_engine(const std::string& name) {
   if (name != "rtl" && name != "golden") throw InputError(Place{"--engine"}, name, "rtl or golden");
   return engine_named(name);

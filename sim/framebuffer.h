@@ -1,4 +1,4 @@
-// Where fragments of any engine end: depth test, colour, and whatever intermediates were asked for.
+// Fragments of any engine end here: there is a depth test, a colour, and the intermediate values that were asked for.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace wrinkle {
 
-// A fragment in the common currency of all engines. Fixed-point values are exact in a double.
+// A fragment as all engines give it. A double holds fixed-point values exactly.
 struct Sample {
   std::int32_t x = 0, y = 0;
   double z = 0;                    // [0, 1), near to far
@@ -35,7 +35,7 @@ class Framebuffer {
   Picture all_channels() const;
   // 1 where a fragment was drawn.
   const std::vector<std::uint8_t>& covered() const { return covered_; }
-  // Fragments outside the picture: always 0 for a right engine.
+  // How many fragments lay outside the picture. A correct engine has none.
   std::uint64_t outside() const { return outside_; }
 
  private:

@@ -1,45 +1,51 @@
 #include "sim/layout.h"
 
+#include <OpenImageIO/imagebufalgo.h>
+
 #include <algorithm>
 
 namespace wrinkle {
+namespace {
+
+using OIIO::ImageBuf;
+using OIIO::ROI;
+namespace algo = OIIO::ImageBufAlgo;
+
+// OpenImageIO's view of the pixels of a picture, which it reads and writes where they are.
+ImageBuf view(Picture& picture) {
+  return {OIIO::ImageSpec(picture.width, picture.height, int(picture.channels.size()), OIIO::TypeDesc::FLOAT),
+          picture.data.data()};
+}
+// ImageBuf has no view of constant pixels. This one is only read.
+const ImageBuf view(const Picture& picture) { return view(const_cast<Picture&>(picture)); }
+
+}  // namespace
 
 Picture blank_sheet(int width, int height) {
   Picture sheet(width, height, {"R", "G", "B"});
-  std::fill(sheet.data.begin(), sheet.data.end(), 1.0F);
+  ImageBuf pixels = view(sheet);
+  algo::fill(pixels, {1.0F, 1.0F, 1.0F});
   return sheet;
 }
 
 void paste(Picture& sheet, const Picture& picture, int x, int y) {
-  for (int row = 0; row < picture.height; ++row) {
-    const auto from = picture.data.begin() + std::ptrdiff_t(3) * row * picture.width;
-    std::copy(from, from + std::ptrdiff_t(3) * picture.width,
-              sheet.data.begin() + std::ptrdiff_t(3) * ((y + row) * sheet.width + x));
-  }
+  ImageBuf pixels = view(sheet);
+  algo::paste(pixels, x, y, 0, 0, view(picture));
 }
 
 Picture magnified(const Picture& picture, Region region, int factor) {
   Picture out(region.side * factor, region.side * factor, picture.channels);
-  const std::size_t n = picture.channels.size();
-  for (int y = 0; y < out.height; ++y) {
-    for (int x = 0; x < out.width; ++x) {
-      const int from = (region.y + y / factor) * picture.width + region.x + x / factor;
-      std::copy_n(&picture.data[n * std::size_t(from)], n, &out.data[n * std::size_t(y * out.width + x)]);
-    }
-  }
+  const ImageBuf cut = algo::cut(view(picture), {region.x, region.x + region.side, region.y, region.y + region.side});
+  ImageBuf pixels = view(out);
+  algo::resample(pixels, cut, /*interpolate=*/false);
   return out;
 }
 
 void outline(Picture& picture, Region region, std::array<float, 3> colour, int thickness) {
-  const auto inside = [](int at, int from, int side) { return at >= from && at < from + side; };
-  for (int y = std::max(region.y - thickness, 0); y < std::min(region.y + region.side + thickness, picture.height);
-       ++y) {
-    for (int x = std::max(region.x - thickness, 0); x < std::min(region.x + region.side + thickness, picture.width);
-         ++x) {
-      if (inside(x, region.x, region.side) && inside(y, region.y, region.side)) continue;
-      std::copy(colour.begin(), colour.end(), &picture.data[std::size_t(3) * std::size_t(y * picture.width + x)]);
-    }
-  }
+  ImageBuf pixels = view(picture);
+  for (int distance = 1; distance <= thickness; ++distance)
+    algo::render_box(pixels, region.x - distance, region.y - distance, region.x + region.side - 1 + distance,
+                     region.y + region.side - 1 + distance, colour);
 }
 
 Picture contact_sheet(const std::vector<Picture>& pictures, int columns) {

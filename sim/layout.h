@@ -20,10 +20,10 @@ Picture blank_sheet(int width, int height);
 // Puts an RGB picture with its upper left corner at (x, y). It must fit.
 void paste(Picture& sheet, const Picture& picture, int x, int y);
 
-// Every pixel of the region `factor` x `factor` times: nothing is interpolated.
+// The region with every pixel repeated `factor` times in both directions. Nothing is interpolated.
 Picture magnified(const Picture& picture, Region region, int factor);
 
-// A line of `thickness` pixels round the region, outside of it; cut off where the picture ends.
+// Draws a line of `thickness` pixels around the region. It lies outside of the region, and ends where the picture ends.
 void outline(Picture& picture, Region region, std::array<float, 3> colour, int thickness);
 
 // Pictures of one size in rows of `columns`, with a margin.

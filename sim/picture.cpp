@@ -1,5 +1,6 @@
 #include "sim/picture.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <stdexcept>
 
 #include "sim/input_error.h"
 #include "sim/scene/files.h"
@@ -40,6 +42,13 @@ void write_whole(const fs::path& path, Write write) {
   }
 }
 
+// Writes the picture through `output`, which is to make `name`; false where it cannot; output.geterror() says why.
+bool encode(OIIO::ImageOutput& output, const std::string& name, const Picture& image, OIIO::TypeDesc type) {
+  OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()), type);
+  spec.channelnames = image.channels;
+  return output.open(name, spec) && output.write_image(OIIO::TypeDesc::FLOAT, image.data.data()) && output.close();
+}
+
 }  // namespace
 
 void write_picture(const fs::path& path, const Picture& image) {
@@ -49,14 +58,18 @@ void write_picture(const fs::path& path, const Picture& image) {
       OIIO::geterror();
       throw InputError(Place{path.string()}, "an unknown ending", ".png or .exr");
     }
-    const bool is_float = extension_of(path) == ".exr";
-    OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()),
-                         is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-    spec.channelnames = image.channels;
-    if (!output->open(temporary.string(), spec) || !output->write_image(OIIO::TypeDesc::FLOAT, image.data.data()) ||
-        !output->close())
+    const auto type = extension_of(path) == ".exr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+    if (!encode(*output, temporary.string(), image, type))
       throw InputError(Place{path.string()}, "cannot be written: " + output->geterror());
   });
+}
+
+std::string encode_png(const Picture& image) {
+  OIIO::Filesystem::IOVecOutput memory;
+  auto output = OIIO::ImageOutput::create("png", &memory);
+  if (!output || !encode(*output, "memory.png", image, OIIO::TypeDesc::UINT8))
+    throw std::runtime_error("a picture cannot be encoded: " + (output ? output->geterror() : OIIO::geterror()));
+  return {memory.buffer().begin(), memory.buffer().end()};
 }
 
 void write_text(const fs::path& path, const std::string& text) {

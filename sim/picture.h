@@ -23,7 +23,9 @@ struct Picture {
 // Writes by the ending of the name: .exr as float with named channels, all else as 8 bits clamped to [0, 1].
 // The file appears whole or not at all. Throws InputError when it cannot be written.
 void write_picture(const std::filesystem::path& path, const Picture& image);
-// The same promise for text.
+// The bytes of the PNG file that write_picture would write.
+std::string encode_png(const Picture& image);
+// Writes a text file, which appears whole or not at all.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
 // PSNR of equal pictures: a number, so that reports can be sorted.

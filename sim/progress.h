@@ -16,9 +16,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Cheap enough to be called often: on a terminal the line is redrawn at most ten times a second.
+  // May be called often: on a terminal the line is redrawn at most ten times a second.
   void at(std::uint64_t done, std::string_view note = "");
-  // Takes the line away, for other output.
+  // Removes the line, so that something else can be printed.
   void clear();
 
  private:

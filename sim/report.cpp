@@ -34,14 +34,14 @@ std::string part(const fs::path& path) {
   return text;
 }
 
-// JSON inside of a script element: no "</script" may end it.
+// JSON that stands inside a script element may not hold "</script", which would end the element.
 std::string embedded(const nlohmann::json& data) {
   std::string text = data.dump();
   for (auto at = text.find("</"); at != std::string::npos; at = text.find("</", at)) text.replace(at, 2, "<\\/");
   return text;
 }
 
-// The data as tables, for the page to hand on and for files of their own.
+// The data as tables: the page offers them to be saved, and they are files of their own.
 struct Tables {
   std::string csv, markdown;
 };

@@ -9,11 +9,11 @@
 
 namespace wrinkle {
 
-// What a map's filter has to do with a picture.
+// How much of the filtering of a map is in the picture.
 enum class Filtering {
   kConfigured,  // as the scene and its configuration say
-  // Level 0 alone, bilinear, not repeated, and no self-shadow, which `ideal` takes from the true surface: what is left
-  // is the arithmetic at the pixel.
+  // Level 0 alone, bilinear, not repeated, and no self-shadow, which `ideal` takes from the true surface. So the
+  // error is that of the arithmetic at the pixel alone.
   kLevelZero,
 };
 

@@ -63,7 +63,8 @@ bool verify_scenes(const Options& options, nlohmann::json& runs) {
   return equal;
 }
 
-// Frames of about 20,000 fragments, each with a seed of its own, until there are as many as asked for.
+// Draws random frames of about 20,000 fragments, each from a seed of its own, until there are as many fragments as
+// were asked for.
 bool verify_random(const Options& options, nlohmann::json& runs) {
   constexpr std::uint64_t kFrame = 20000;
   bool equal = true;
@@ -132,7 +133,7 @@ bool verify_vectors(const Options& options, nlohmann::json& runs) {
   return good;
 }
 
-// A frame of every datapath and option; true when all are equal.
+// Draws a frame of every datapath and option. Returns true when all are equal.
 bool verify_all(const Options& options, nlohmann::json& frames) {
   print_comparison_heading();
   std::vector<Picture> sheet;

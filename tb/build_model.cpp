@@ -60,6 +60,7 @@ Arguments verilator_flags(const Config& config, const ModelOptions& options) {
       "--x-initial", "unique",       "-Wno-lint",    "-Wno-style", "--default-language",     "1364-2005"};
   if (options.trace) flags.push_back("--trace-fst");
   for (const Parameter& parameter : parameters()) {
+    if (parameter.member == &Config::block_exponent) continue;  // of set-up alone
     std::string name(parameter.name);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
     flags.push_back(fmt::format("-G{}={}", name, config.*parameter.member));
@@ -67,9 +68,14 @@ Arguments verilator_flags(const Config& config, const ModelOptions& options) {
   return flags;
 }
 
+std::vector<fs::path> verilog_folders(const fs::path& root) {
+  const fs::path rtl = root / "rtl";
+  return {rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"};
+}
+
 std::vector<fs::path> verilog_sources(const fs::path& root) {
   std::vector<fs::path> sources;
-  for (const fs::path& folder : {root / "rtl", root / "rtl" / "lib"}) {
+  for (const fs::path& folder : verilog_folders(root)) {
     if (!fs::is_directory(folder)) continue;
     for (const auto& entry : fs::directory_iterator(folder)) {
       const fs::path extension = entry.path().extension();
@@ -186,9 +192,8 @@ void build(const Config& config, const ModelOptions& options, const fs::path& ro
   const fs::path wires = folder / "wires.vlt", log = folder / "log", fast = folder / "fast.cpp",
                  slow = folder / "slow.cpp";
   write_visible_wires(wires);
-  Arguments verilate =
-      Arguments{"verilator"} + verilator_flags(config, options) +
-      Arguments{"--Mdir", folder, "-I" + (root / "rtl").string(), "-I" + (root / "rtl/lib").string(), wires};
+  Arguments verilate = Arguments{"verilator"} + verilator_flags(config, options) + Arguments{"--Mdir", folder, wires};
+  for (const fs::path& include : verilog_folders(root)) verilate.push_back("-I" + include.string());
   for (const fs::path& source : verilog_sources(root)) {
     if (source.extension() == ".v") verilate.push_back(source);
   }

@@ -1,5 +1,5 @@
 // Widths and cuts of the normalizers `compact`, `lite` and `near`, by kind, F and V;
-// rtl/lib/wrinkle_compact_normalizer.v has the same as localparams.
+// rtl/unit/wrinkle_compact_normalizer.v has the same as localparams.
 //
 //   m    magnitude, P = max(V, F) + 1 bits: |v| with zeros below where V < F
 //   S    sum of squares in 2 P + 2 bits; each m^2 without the square of its low A bits, and a constant for their mean

@@ -1,6 +1,6 @@
 // The reciprocal square root of the compact normalizers: a table of linear segments as in rsqrt.h, with an
 // interpolation that leaves out what the truncated squares and products after it would hide. The Verilog twin is
-// rtl/lib/wrinkle_compact_rsqrt.v; its parameters come from rtl/lib/wrinkle_compact_normalizer.v, which repeats the
+// rtl/unit/wrinkle_compact_rsqrt.v; its parameters come from rtl/unit/wrinkle_compact_normalizer.v, which repeats the
 // table of golden/pixel/compact_geometry.h.
 //
 //   T       SB + 1 bits, in [2^(SB-1), 2^(SB+1)): the leading bits of a real t in [T, T + 1) 2^-(SB+1), so t is in

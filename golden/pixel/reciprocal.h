@@ -1,5 +1,5 @@
 // The reciprocal of the perspective division: a table of linear segments. The Verilog twin is
-// rtl/lib/wrinkle_reciprocal.v.
+// rtl/unit/wrinkle_reciprocal.v.
 //
 //   m       Q bits, in [2^(Q-1), 2^Q), exact
 //   r       u1.R, approximates 2^Q / m, in [1, 2 - 2^-R]

@@ -1,5 +1,5 @@
 // The reciprocal square root of the normalizer: a table of linear segments, small enough for logic, accurate enough
-// that the normalized vector is faithful. The Verilog twin is rtl/lib/wrinkle_rsqrt.v; its localparams are
+// that the normalized vector is faithful. The Verilog twin is rtl/unit/wrinkle_rsqrt.v; its localparams are
 // kRsqrtGeometry.
 //
 //   T       SB bits, in [2^(SB-2), 2^SB): the leading bits of a real t in [T, T + 1) 2^-SB, so t is in [1/4, 1)

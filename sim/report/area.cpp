@@ -37,10 +37,10 @@ void run_all(const std::vector<std::function<void()>>& jobs) {
   if (failure) std::rethrow_exception(failure);
 }
 
-SynthesisResult synthesise_module(const std::string& module, const Config& config, const AreaOptions& options) {
+SynthesisResult synthesise_module(const StageModule& module, const AreaOptions& options) {
   SynthesisOptions synthesis = options.synthesis;
-  synthesis.sources = module_sources(module);
-  return synthesise(module, module_parameters(module, config), options.library, synthesis, options.progress);
+  synthesis.sources = module_sources(module.module);
+  return synthesise(module.module, module.parameters, options.library, synthesis, options.progress);
 }
 
 const StageArea& stage_of(const AreaReport& report, const std::string& name) {
@@ -134,11 +134,11 @@ AreaReport measure_area(const std::string& name, const Config& config, const Are
   const std::vector<std::string> names = options.stages.empty() ? stage_names() : options.stages;
   std::vector<std::function<void()>> jobs;
   if (options.flat && options.stages.empty())
-    jobs.push_back([&] { report.flat = synthesise_module("wrinkle_core", config, options); });
+    jobs.push_back([&] { report.flat = synthesise_module({"wrinkle_core", core_parameters(config)}, options); });
   report.stages.resize(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     report.stages[i].stage = names[i];
-    jobs.push_back([&, i] { report.stages[i].result = synthesise_module("wrinkle_" + names[i], config, options); });
+    jobs.push_back([&, i] { report.stages[i].result = synthesise_module(stage_module(names[i], config), options); });
   }
   run_all(jobs);
   return report;

@@ -1,8 +1,8 @@
 #include "sim/report/collect.h"
 
+#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -37,24 +37,8 @@ json choices(const Config& config) {
   return result;
 }
 
-std::string base64(const std::string& bytes) {
-  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= n ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 std::string data_uri(const Picture& picture) {
-  const fs::path path = fs::temp_directory_path() / fmt::format("wrinkle-{}.png", getpid());
-  write_picture(path, picture);
-  const std::string uri = "data:image/png;base64," + base64(read_text(path));
-  fs::remove(path);
-  return uri;
+  return "data:image/png;base64," + OIIO::Strutil::base64_encode(encode_png(picture));
 }
 
 // "Fig. 6" for patch_fig6; other scenes by their names.
@@ -83,8 +67,8 @@ json picture_entries(const ReportOptions& options) {
   return entries;
 }
 
-// Figs. 5, 6 and 7 against each other. Pictures that the scenes do not bring join the others: the differences not,
-// which the page makes of any two.
+// Figs. 5, 6 and 7 against each other. Their pictures are added to `pictures` unless they are there already. Difference
+// pictures are not added, since the page makes the difference of any two.
 json paper_entry(const ReportOptions& options, json& pictures) {
   PaperOptions paper;
   paper.engine = options.rtl ? Engine::kRtl : Engine::kGolden;
@@ -126,7 +110,7 @@ json config_entry(const std::string& name, const ReportOptions& options) {
   say(fmt::format("{}: area", name));
   AreaOptions area;
   area.progress = say;
-  area.flat = false;  // the figures tell how near the sum of stages comes to it
+  area.flat = false;  // Fig. 1 to 3 show how near the sum of the stages comes to it
   entry["area"] = to_json(measure_area(name, config, area));
   return entry;
 }
@@ -151,7 +135,7 @@ std::string source_version() {
   return first_line({"git", "-C", WRINKLE_SOURCE_DIR, "describe", "--always", "--dirty"});
 }
 
-// As Linux names it.
+// The processor, as Linux names it.
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
@@ -189,7 +173,7 @@ json provenance(const ReportOptions& options) {
 
 Figures named_figures(const AreaOptions& options) {
   const std::vector<std::string> no_shadow{"self_shadow=off"}, phong{"self_shadow=off", "datapath=phong"};
-  // The least that keep the precision of `standard` on the patch: one bit less of either falls below it.
+  // These are the smallest widths that keep the precision of `standard` on the patch.
   const std::vector<std::string> products{"self_shadow=off", "wide_bits=11", "gradient_bits=8"};
   const Config standard = load_config("standard");
   return measure_figures(apply_overrides(standard, phong), apply_overrides(load_config("blinn"), products),

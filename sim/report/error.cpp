@@ -50,7 +50,7 @@ struct PartSums {
 
 double ulp_of(int fraction_bits) { return std::ldexp(1.0, -fraction_bits); }
 
-// The values of a part against its twin, in units of their formats.
+// Adds the errors of a part's values against its twin, in ulp of their formats.
 void add_values(const Config& c, Part part, const ReplayedPixel& pixel, PartSums& sums) {
   const ExactFragment &r = pixel.parts[std::size_t(part)].rounded, &e = pixel.parts[std::size_t(part)].exact;
   const double vector = ulp_of(c.vector_bits), unit = ulp_of(c.unit_bits), dot_ulp = ulp_of(c.dot_bits);

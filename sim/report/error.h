@@ -16,7 +16,7 @@ struct Spread {
   double rms = 0, max = 0;
 };
 
-// What one stage rounds, and what that does to the colour. Numbers that a stage has not are 0.
+// What one stage rounds, and what that does to the colour. A number that the stage does not have is 0.
 struct PartError {
   std::string_view name;
   Spread ulp;             // of each value in its own format

@@ -10,7 +10,7 @@
 namespace wrinkle {
 namespace {
 
-// An iCE40 UP5K; the shift registers that stand in for pins take logic cells too.
+// What an iCE40 UP5K holds. Shift registers stand in for pins that it does not have, and take logic cells too.
 constexpr int kUp5kCells = 5280, kUp5kMultipliers = 8, kUp5kMemories = 30;
 
 bool may_fit(const FpgaCells& cells) {
@@ -44,16 +44,16 @@ nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>
              "multipliers", "memories", "placed ns");
   for (const CellLibrary library : {CellLibrary::kIce40, CellLibrary::kEcp5, CellLibrary::kXilinx}) {
     for (const std::string& name : names) {
-      const std::string module = "wrinkle_" + name;
+      const auto [module, values] = stage_module(name, config);
       SynthesisOptions options;
       options.sources = module_sources(module);
-      SynthesisResult result = synthesise(module, module_parameters(module, config), library, options, progress);
+      SynthesisResult result = synthesise(module, values, library, options, progress);
       const FpgaCells cells = count_fpga_cells(result);
       std::string placed = "-";
       if (place && library == CellLibrary::kIce40 && cells.luts > 0 && may_fit(cells)) {
         options.place_and_route = true;
         try {
-          result = synthesise(module, module_parameters(module, config), library, options, progress);
+          result = synthesise(module, values, library, options, progress);
           placed = fmt::format("{:.1f}", result.critical_path_ns);
         } catch (const SynthesisError&) {
           placed = "too large";

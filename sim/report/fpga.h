@@ -1,4 +1,4 @@
-// Cells of FPGAs by stage, and what place and route makes of what fits.
+// Cells of FPGAs by stage, and the clock that place and route reaches for stages that fit.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

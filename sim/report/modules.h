@@ -10,13 +10,20 @@
 
 namespace wrinkle {
 
-// The stages of wrinkle_core in the order of its list; the module of `scan` is wrinkle_scan.
+// The stages of wrinkle_core in the order of its list.
 std::vector<std::string> stage_names();
 
 // The files that `module` needs, its own among them: a change elsewhere leaves its cached result alone.
 std::vector<std::filesystem::path> module_sources(const std::string& module);
 
-// The parameters that `module` declares, with the values of the configuration.
-VerilogParameters module_parameters(const std::string& module, const Config& config);
+// The parameters that the core declares, with the values of the configuration.
+VerilogParameters core_parameters(const Config& config);
+
+// A stage as the core has it: its module, with the parameters that the core gives it, found by elaborating the core.
+struct StageModule {
+  std::string module;
+  VerilogParameters parameters;
+};
+StageModule stage_module(const std::string& stage, const Config& config);
 
 }  // namespace wrinkle

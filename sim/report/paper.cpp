@@ -18,7 +18,7 @@ using nlohmann::json;
 
 // Details are shown so many times as large.
 constexpr int kMagnification = 4;
-// Two highlights that differ by roundings alone need more.
+// Two highlights differ by roundings alone, so their difference needs a larger gain to be seen.
 constexpr double kHighlightGain = 32;
 
 // A detail of a sheet: its upper left corner, as shares of the picture.
@@ -44,9 +44,9 @@ class Painter {
  public:
   explicit Painter(const PaperOptions& options) : options_(options) {}
 
-  // The frame by the chosen engine; its line of the table goes into `entries`.
+  // Draws the frame by the chosen engine, and appends its line of the table to `entries`.
   Drawn draw(const std::string& name, const DividedFrame& frame, json& entries);
-  // a - b over the pixels that both cover, as numbers; the difference picture joins the others.
+  // Measures a - b over the pixels that both cover, and adds the difference picture to the others.
   json compare_pair(const Drawn& a, const Drawn& b, double gain);
 
   DividedPatch patch(const std::string& scene, const std::string& config, int divisions) const {
@@ -98,8 +98,8 @@ json Painter::compare_pair(const Drawn& a, const Drawn& b, double gain) {
   return pair;
 }
 
-// Pictures beside each other with their details outlined, and the details below them; `rows` more of such a height are
-// left white at the bottom.
+// Pictures side by side with their details outlined, and below them the details, enlarged. Room for `rows` more rows of
+// pictures stays white at the bottom.
 Picture detail_sheet(const std::vector<Picture>& pictures, const Details& details, int rows = 0) {
   const int size = pictures.front().width, side = detail_side(size), column = size + kSheetMargin;
   Picture sheet = blank_sheet(int(pictures.size()) * column + kSheetMargin,
@@ -210,8 +210,8 @@ std::vector<Vec3> exact_normals(const DividedFrame& frame) {
   return normals;
 }
 
-// Eq. 8-11 take the patch to be square: by how much their normals lean from those of Eq. 3-6, in degrees and in
-// decibels.
+// Eq. 8-11 take the patch to be square. This measures by how much their normals lean from those of Eq. 3-6, in degrees,
+// and how far the pictures are apart, in decibels.
 json warp(const Painter& painter) {
   const DividedFrame true_frame = divided_frame(painter.patch("patch_fig6", "standard", 8));
   const DividedFrame square_frame = divided_frame(painter.patch("patch_fig7", "standard", 8));

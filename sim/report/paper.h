@@ -17,7 +17,7 @@ struct PaperOptions {
   RtlOptions rtl;
 };
 
-// A picture, and the file it would be, without ending.
+// A picture, and the name of its file without the ending.
 struct NamedPicture {
   std::string name;
   Picture picture;
@@ -28,7 +28,7 @@ struct PaperFigures {
   nlohmann::json results;
   std::vector<NamedPicture> pictures;  // of the engine: fig5, fig6, fig7, their differences, and those of the others
   std::vector<NamedPicture> sheets;    // pictures side by side: figures, held, highlight
-  bool equal = true;                   // the RTL was golden, wherever it was asked for
+  bool equal = true;                   // the RTL drew what golden does, wherever the RTL was asked for
 };
 PaperFigures draw_paper_figures(const PaperOptions& options);
 

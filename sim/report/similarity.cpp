@@ -21,7 +21,7 @@ std::array<double, 2 * kRadius + 1> gaussian() {
   return weights;
 }
 
-// Along rows (step 1) or columns (step width); the edge pixel stands for those beyond it.
+// Blurs along rows or along columns. Beyond the border the picture continues with its outermost pixel.
 Plane blur_axis(const Plane& in, int width, int height, bool along_rows) {
   static const auto weights = gaussian();
   Plane out(in.size());

@@ -22,8 +22,8 @@ struct EngineSpeed {
 // ideal, exact, golden-scalar, golden and rtl on one frame, `runs` times each, interleaved. The RTL is not compared.
 std::vector<EngineSpeed> measure_engines(const Config& config, const Frame& frame, int runs);
 
-// A configuration in silicon: clocks from the RTL without stalls, the period from the flat netlist's critical path;
-// with a period of 0, which is unknown, the clocks alone.
+// The speed of a configuration as a chip: its clocks are those of the RTL without stalls, its period is the critical
+// path. A period of 0 means that it is unknown; then only the clocks are given.
 struct ChipSpeed {
   std::string config;
   double clocks_per_pixel = 0, period_ns = 0, pixels_per_s = 0;

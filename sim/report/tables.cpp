@@ -48,14 +48,14 @@ const Columns& pair_columns() {
   return columns;
 }
 
-// The numbers or texts of an object, a row each.
+// A row for each number or text of an object.
 Table value_table(const std::string& name, const json& values) {
   Table result{name, {"value"}, {}};
   for (const auto& [key, value] : values.items()) result.rows.push_back({key, {cell(value, {})}});
   return result;
 }
 
-// Fig. 1, 2 and 3 as wholes: `over_fig1` is what each has more, as a share of Fig. 1.
+// Fig. 1, 2 and 3 as wholes. `over_fig1` is how much larger each is than Fig. 1, as a share of Fig. 1.
 Table whole_figures(const json& figures) {
   json rows = json::array();
   for (const char* name : {"fig1", "fig2", "fig3"}) {
@@ -83,7 +83,7 @@ Table choice_table(const json& configs) {
   return table("choices", configs, "name", columns);
 }
 
-// What a row is called where no key of its own says so.
+// A name for each row, for rows that have none of their own.
 json named(json rows, const std::function<std::string(const json&)>& name) {
   for (json& row : rows) row["row"] = name(row);
   return rows;

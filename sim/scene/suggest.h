@@ -8,9 +8,6 @@
 
 namespace wrinkle {
 
-// Levenshtein's distance.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
 // "; did you mean \"name\"?" for the candidate nearest to `word`, or nothing where none is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
 

@@ -7,7 +7,7 @@ namespace wrinkle {
 
 void Extreme::measure(double deviation, const std::string& description) {
   ++cases;
-  // A NaN counts as the worst of all, and stays.
+  // A NaN counts as worse than any number, and no later deviation replaces it.
   if (deviation <= worst || std::isnan(worst)) return;
   worst = deviation;
   where = description;

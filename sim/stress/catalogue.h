@@ -51,7 +51,8 @@ Config stress_affine(Config config);       // u and v not divided, so that a tex
 // 1.0 in LSB of s1.V, and one repeat in LSB of u.
 inline std::int64_t vector_one(const Config& config) { return std::int64_t{1} << config.vector_bits; }
 inline std::int64_t repeat_one(const Config& config) { return std::int64_t{1} << config.uv_bits; }
-// Interpolated values, n pixels and rows from the anchor. docs/numerics.md, "interpolate".
+// The bound of an interpolated value that is n pixels and rows away from the anchor, the pixel at which the packet
+// gives the value. docs/numerics.md, "interpolate".
 double drift_bound(const Config& config, int steps);
 
 // The parts of the list, one file each.

@@ -15,7 +15,7 @@ Config blinn_config() {
   return config;
 }
 
-// The widths of fig. 2 are those of the configuration `blinn`, which differs from `standard` in the datapath alone.
+// The widths of Fig. 2 are those of the configuration `blinn`, which differs from `standard` only in its datapath.
 Extreme drawn_with_standard() {
   Extreme extreme;
   extreme.unreachable = "fig. 2 is drawn with the widths of `blinn`, by the run of `standard`";
@@ -42,8 +42,8 @@ Vec3 perturbed_normal(const Stimulus& stimulus, const FragmentValues& fragment) 
           stimulus.real(fragment, "perturb", "n", 2)};
 }
 
-// |Pu| and |Pv| from 2^-12 to 2^12 in one draw, Pu down to 2^-6 from Pv in direction: the exponent of each triangle
-// keeps the precision of its N', and nothing wraps.
+// One draw has |Pu| and |Pv| from 2^-12 to 2^12, and directions of Pu and Pv that are only 2^-6 apart. Since each
+// triangle has an exponent of its own, N' keeps its precision everywhere, and nothing wraps.
 Extreme scales_of_the_surface(const Config& asked) {
   if (asked != Config{}) return drawn_with_standard();
   Extreme extreme;
@@ -79,7 +79,7 @@ Extreme scales_of_the_surface(const Config& asked) {
   return extreme;
 }
 
-// D = 0 to |D| a thousand times |Pu x Pv|, code by code: N' turns from one to the other without a jump.
+// D grows code by code from 0 to a thousand times |Pu x Pv|. N' turns from Pu x Pv to D without a jump.
 Extreme bumps_from_nothing_to_all(const Config& asked) {
   if (asked != Config{}) return drawn_with_standard();
   Extreme extreme;

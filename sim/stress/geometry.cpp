@@ -93,7 +93,7 @@ Extreme coverage_of(const Config& config, const std::vector<Corners>& triangles,
   return extreme;
 }
 
-// A triangle that covers pixels, to follow those that cover none: shows that the pipeline is not hung.
+// A triangle that covers pixels. It follows those that cover none, and shows that the pipeline does not hang.
 constexpr Corners kAfter{{{256, 256}, {2560, 300}, {700, 2000}}};
 
 Extreme zero_area(const Config& config) {
@@ -138,7 +138,7 @@ Extreme one_centre(const Config& config) {
   return coverage_of(config, triangles, {8, 8});
 }
 
-// Closed fans about a point on a pixel centre: every pixel of the disc exactly once.
+// A closed fan around a point on a pixel centre draws every pixel of the disc exactly once.
 Extreme on_centres(const Config& config) {
   Extreme extreme;
   const std::vector<Corner> ring{{640, -896}, {2176, 128},  {2688, 640}, {2176, 2176},
@@ -154,7 +154,7 @@ Extreme on_centres(const Config& config) {
   return extreme;
 }
 
-// The value at the one pixel of a triangle whose gradients are as steep as they can be.
+// The gradients of this triangle are as steep as they can be; it is the value at its one pixel that counts.
 Extreme minimal_area(const Config& config) {
   Extreme extreme;
   extreme.unit = "LSB of s1.V";
@@ -206,7 +206,7 @@ Extreme off_screen(const Config& config) {
   return coverage_of(config, triangles, {16, 16});
 }
 
-// A square many screens wide, through the clipper: the screen is covered exactly once.
+// A square many screens wide goes through the clipper and covers the screen exactly once.
 Extreme straddling(const Config& config) {
   Extreme extreme;
   for (double size : {3.0, 40.0, 3000.0, 1e6})
@@ -240,7 +240,7 @@ Extreme straddling(const Config& config) {
   return extreme;
 }
 
-// Both windings draw: the same fragments, value for value.
+// Both windings draw the same fragments, value for value.
 Extreme windings(const Config& config) {
   Extreme extreme;
   extreme.unit = "fragments";
@@ -284,7 +284,7 @@ Extreme image_sizes(const Config& config) {
   return extreme;
 }
 
-// 16.8 million fragments: compared with the rule one by one, and never held all at once.
+// There are 16.8 million fragments. Each is compared with the rule as it comes; they are never all held in memory.
 Extreme largest_image(const Config& config) {
   constexpr int kSize = 4096, kEnd = kSize * 256;
   const Corners halves[] = {{{{0, 0}, {kEnd, 0}, {kEnd, kEnd}}}, {{{0, 0}, {kEnd, kEnd}, {0, kEnd}}}};

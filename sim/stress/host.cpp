@@ -64,7 +64,7 @@ Stimulus stimulus_of(const Config& config, const Scene& scene) {
   return stimulus;
 }
 
-// B = sign (N x T): with the sign the mirrored square is the mirror image of the other, code for code.
+// B = sign (N x T). With the right sign the mirrored square is the mirror image of the other, code for code.
 Extreme mirrored_frame(const Config& config) {
   Extreme extreme;
   extreme.unit = "colour codes";
@@ -111,7 +111,7 @@ Extreme degenerate_uv(const Config&) {
   return extreme;
 }
 
-// |Pu| : |Pv| = 10^6 either way: the three coefficients are a unit vector, and are Blinn's normal in tangent space.
+// With |Pu| : |Pv| = 10^6 and 10^-6 the three coefficients still are a unit vector, Blinn's normal in tangent space.
 Extreme stretched(const Config&) {
   Extreme extreme;
   extreme.unit = "of 1";
@@ -131,7 +131,8 @@ Extreme stretched(const Config&) {
   return extreme;
 }
 
-// Not finite, or of a size that no scene has: refused with a place, before anything is drawn.
+// Numbers that are not finite, or larger than in any scene, are refused before anything is drawn; the message says
+// where.
 Extreme hostile_numbers(const Config&) {
   Extreme extreme;
   extreme.unit = "files";

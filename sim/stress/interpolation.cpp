@@ -67,7 +67,7 @@ Extreme measured_in_lsb(double bound) {
   return extreme;
 }
 
-// Not one LSB, and not one fragment, off.
+// No fragment may be off, not even by one LSB.
 Extreme gradient_zero(const Config& config) {
   Extreme extreme = measured_in_lsb(0);
   for (std::int64_t v : {kLow, kLow + 1, top(config) * 7 / 10, top(config) - 1, top(config)}) {
@@ -90,7 +90,7 @@ Extreme gradient_maximum(const Config& config) {
   return extreme;
 }
 
-// Beyond the end of its range a component wraps modulo 2^width: closed form.
+// Beyond the end of its range a component wraps modulo 2^width, as the formula says.
 Extreme wrapping(const Config& config) {
   Extreme extreme = measured_in_lsb(0);
   Stimulus stimulus(config);

@@ -12,7 +12,7 @@ namespace {
 
 using IntVec = std::array<std::int64_t, 3>;
 
-// Entries write vectors for V = 10.
+// The entries give vectors with 10 fraction bits.
 IntVec scaled(const Config& config, IntVec v) {
   for (auto& c : v) c = (c << config.vector_bits) >> 10;
   return v;
@@ -68,8 +68,8 @@ Extreme negative(const Config& config) {
   return extreme;
 }
 
-// N = L in every direction: never above one, never wrapped to zero. Rounded unit vectors are as much as 1 ulp per
-// component short, so the sum may fall short of one; against the vectors themselves it is within half an LSB.
+// N = L in every direction: N.L is never above one and never wraps to zero. Rounded unit vectors are as much as 1 ulp
+// per component short, so the sum may fall short of one; against the vectors themselves it is within half an LSB.
 Extreme aligned(const Config& config) {
   std::vector<std::pair<IntVec, IntVec>> pairs;
   std::mt19937 random(34);
@@ -82,7 +82,7 @@ Extreme aligned(const Config& config) {
   return dots(config, pairs);
 }
 
-// e_k+1 = 2 e_k + e_k^2 2^-PF + 1/2, from no error at all: what N.H^n is off by, N.H as it was rounded.
+// The error of (N.H)^n for the N.H that the stage rounded: e_k+1 = 2 e_k + e_k^2 2^-PF + 1/2, beginning with 0.
 double power_bound(const Config& config) {
   double error = 0;
   for (int k = 0; k < config.specular_squarings; ++k)
@@ -165,7 +165,8 @@ Extreme saturating(const Config& config) {
   return extreme;
 }
 
-// L = 0, as at a vertex where the light is: flag, no diffuse, no specular, the ambient colour. Constant L beside it.
+// L = 0, as at a vertex where the light is: the flag is set and only the ambient colour is left. A triangle with
+// constant L lies beside it.
 Extreme light_at_vertex(const Config& config) {
   Extreme extreme;
   extreme.unit = "fragments";

@@ -16,7 +16,7 @@ Texture one_texel(const Config& config) {
   return {.components = config.texel_components(), .component_bits = config.texel_bits, .levels = {{0}}};
 }
 
-// u = uq / q over all of q: half an LSB, and the relative error of the reciprocal, 2^-R.
+// u = uq / q for every q. It is off by half an LSB and by the relative error of the reciprocal, 2^-R.
 Extreme perspective_range(const Config& named) {
   Extreme extreme;
   extreme.unit = "LSB of u";
@@ -85,8 +85,8 @@ ScreenTriangle random_triangle(std::mt19937& random) {
   return triangle;
 }
 
-// One and the same 1/w at every corner: what the path without division draws. 1/w is at most 1 - 2^-Q, so that u/w has
-// other roundings than u: of the corners and of the steps on both sides, and of the division.
+// With the same 1/w at every corner the picture is that of the path without division, but for rounding: 1/w is at most
+// 1 - 2^-Q, so u/w is rounded differently from u at the corners, in the steps, and by the division.
 Extreme equal_w(const Config& named) {
   Extreme extreme;
   extreme.unit = "LSB of u";
@@ -179,7 +179,7 @@ Extreme behind_the_eye(const Config& named) {
   scene.camera.perspective = true;
   scene.camera.world_to_eye = look_at({0, 1, 0}, {0, 0.8, -1}, {0, 1, 0});
   Object object;
-  // A floor that goes on behind the eye.
+  // A floor that continues behind the eye.
   for (auto [x, z] : {std::pair{-9, 9}, {9, 9}, {9, -9}, {-9, -9}})
     object.mesh.vertices.push_back(
         {.P = {double(x), 0, double(z)}, .N = {0, 1, 0}, .T = {1, 0, 0}, .uv = {}, .parameter = {}});

@@ -26,7 +26,9 @@ class Stimulus {
   int add_texture(Texture texture);
   void add_draw(const DrawState& state);
 
-  // A row of `length` pixels from (x, y) rightwards, all planes zero but for the rounding half: change, then add().
+  // A row of `length` pixels from (x, y) to the right. All planes are zero but for the half that rounds. The caller
+  // changes
+  // what it wants, and adds it by add().
   TriangleWords row(int x, int y, int length = 1) const;
   // The value of a component at the first pixel, and its step along the row, in LSB of the component.
   void set(TriangleWords& words, Component component, std::int64_t value, std::int64_t step = 0) const;
@@ -41,7 +43,7 @@ class Stimulus {
   const PacketStream& stream() const { return stream_; }
   const std::vector<Texture>& textures() const { return textures_; }
 
-  // Every value of every fragment, by the golden model, one after the other with the number of its add().
+  // Draws by the golden model and hands on every fragment with all of its values and the number of its add().
   void each_golden(const std::function<void(const FragmentValues&, std::uint32_t owner)>& visit) const;
   std::vector<FragmentValues> golden() const;
   // As golden(), and with each fragment the number of the add() it belongs to.

@@ -71,7 +71,7 @@ double bilinear(const Texture& texture, Wrap wrap, int level, double u, double v
          fy * ((1 - fx) * code(i, j + 1) + fx * code(i + 1, j + 1));
 }
 
-// The texel normal that real numbers give, full scale as the hardware has it.
+// The normal of the texel in real numbers, with the full scale of the hardware.
 double filtered(const Texture& texture, Wrap wrap, double u, double v, double lod, std::size_t component) {
   const double level = std::clamp(lod, 0.0, double(texture.max_level()));
   const int a = int(std::floor(level)), b = std::min(a + 1, texture.max_level());
@@ -166,7 +166,8 @@ Extreme wrap_borders(const Config& config) {
   return test.finish();
 }
 
-// The address uses the low bits alone: every repeat the format of u holds gives what the one about zero gives.
+// Addresses use the low bits alone, so every repeat that the format of u holds gives the same texels as the one at
+// zero.
 Extreme repeats(const Config& config) {
   Extreme extreme;
   extreme.unit = "LSB of s1.V";
@@ -189,7 +190,7 @@ Extreme repeats(const Config& config) {
   return extreme;
 }
 
-// 2^15 repeats fit no format (UI <= 10): set-up takes whole repeats off, and what is drawn is what is drawn about zero.
+// 2^15 repeats fit no format (UI <= 10). Set-up takes whole repeats off, so the picture is that at zero.
 Extreme far_repeats(const Config& config) {
   Extreme extreme;
   extreme.unit = "fragments";
@@ -232,7 +233,7 @@ Extreme smallest(const Config& config) {
   return test.finish();
 }
 
-// Weights sum to exactly one: a constant texture comes back exactly, at every fraction.
+// The weights sum to exactly one, so a constant texture comes out exactly, at every fraction.
 Extreme constant(const Config& config) {
   TextureTest test(config, 0);
   const std::int64_t one = repeat_one(config);
@@ -261,7 +262,7 @@ Extreme lod_ends(const Config& config) {
   return test.finish();
 }
 
-// n = exactly zero at the fragment: the flag, as in entry 19.
+// n is exactly zero at the fragment, so the flag is set, as in entry 19.
 Extreme zero_normals(const Config& config, const Texture& texture, const std::vector<Probe>& probes) {
   TextureTest test(config, 0);
   test.add(texture, Wrap::kRepeat, probes);
@@ -287,7 +288,7 @@ Extreme checker(const Config& config) {
   const std::int64_t one = repeat_one(config);
   std::vector<std::uint64_t> texels;
   for (int i = 0; i < 16; ++i) texels.push_back((i + i / 4) % 2 == 0 ? some_texel(config) : opposed_texel(config));
-  // Corners of texels: all four weights alike.
+  // At the corners of texels all four weights are the same.
   return zero_normals(config, texture_of(config, 2, {texels}),
                       {{0, 0, 0}, {one / 4, one / 2, 0}, {-one / 4, one, 0}, {one / 2, -one / 4, 0}});
 }

@@ -16,8 +16,8 @@ using IntVec = std::array<std::int64_t, 3>;
 
 IntVec negated(IntVec v) { return {-v[0], -v[1], -v[2]}; }
 
-// Draws the vectors through all three normalizers and takes every component into account. The one value without a
-// negative, -2^(V+1), stands for -(2^(V+1) - 1).
+// Sends the vectors through all three normalizers and checks every component. The value -2^(V+1), which has no positive
+// counterpart, stands for -(2^(V+1) - 1).
 void measure_units(Extreme& extreme, const Config& config, const std::vector<IntVec>& vectors) {
   Stimulus stimulus(config);
   stimulus.add_draw({});
@@ -52,10 +52,10 @@ Extreme units(const Config& config, const std::vector<IntVec>& vectors, double b
   return extreme;
 }
 
-// The largest magnitude of s1.V that has a negative.
+// The largest magnitude of s1.V that exists with both signs.
 std::int64_t largest_of(const Config& config) { return (std::int64_t{1} << (config.vector_bits + 1)) - 1; }
 
-// A span whose normal passes through zero: exactly there the flag is set and the colour is the ambient one.
+// A span whose normal passes through zero: at that pixel alone the flag is set and the colour is the ambient one.
 Extreme through_zero(const Config& config) {
   Extreme extreme;
   extreme.unit = "fragments";
@@ -208,7 +208,7 @@ Extreme axes(const Config& config) {
   return units(config, vectors, 0);
 }
 
-// n(-v) = -n(v): rounding of the magnitude, so that ties go away from zero on both sides.
+// n(-v) = -n(v), because the magnitude is rounded: ties go away from zero on both sides.
 Extreme ties(const Config& config) {
   const std::int64_t largest = largest_of(config);
   Extreme extreme;

@@ -98,7 +98,7 @@ std::string filled_in(const Job& job, const std::string& script) {
   std::string sources, includes, parameters;
   for (const fs::path& source : job.sources) sources += " " + source.string();
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
-  for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value);
+  for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value.text);
   const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
   const std::string map_registers =
       job.options.registers ? "" : replace_all(kRegistersToWires, "@FOLDER@", job.folder.string());
@@ -209,7 +209,7 @@ SynthesisResult make(const Job& job) {
 std::string job_key(const Job& job) {
   Fingerprint key;
   key.add(job.top);
-  for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value));
+  for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value.text));
   for (const fs::path& source : job.sources) key.add(read_text(source));
   for (const fs::path& header : verilog_files(include_folders(job.sources), ".vh")) key.add(read_text(header));
   for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
@@ -254,7 +254,8 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
                            const SynthesisOptions& options, const SynthesisProgress& progress) {
   Job job{top, parameters, library, options, options.sources, {}};
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
-  if (job.sources.empty()) job.sources = verilog_files({rtl, rtl / "lib"}, ".v");
+  if (job.sources.empty())
+    job.sources = verilog_files({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
   for (fs::path& source : job.sources) source = fs::absolute(source);
 
   const fs::path cache = cache_folder(options);

@@ -8,6 +8,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wrinkle {
@@ -15,8 +16,17 @@ namespace wrinkle {
 // The scripts in sim/synthesis/scripts: one for standard cells, one for each FPGA.
 enum class CellLibrary { kOsu035, kOsu018, kIce40, kEcp5, kXilinx };
 
+// The value of a Verilog parameter: a number, or a constant as Yosys writes it.
+struct VerilogValue {
+  VerilogValue(std::int64_t number) : text(std::to_string(number)) {}
+  VerilogValue(std::string constant) : text(std::move(constant)) {}
+  bool operator==(const VerilogValue&) const = default;
+
+  std::string text;
+};
+
 // Verilog names and values.
-using VerilogParameters = std::map<std::string, std::int64_t>;
+using VerilogParameters = std::map<std::string, VerilogValue>;
 
 // Every member is part of the cache key.
 struct SynthesisOptions {
@@ -30,7 +40,7 @@ struct SynthesisOptions {
   bool registers = true;
   // iCE40: place and route, on an UP5K, between shift registers that stand in for pins.
   bool place_and_route = false;
-  // Verilog files; empty: rtl/*.v and rtl/lib/*.v of this project.
+  // Verilog files; empty: those of rtl/ and its folders in this project.
   std::vector<std::filesystem::path> sources;
   // Where results are kept; empty: $WRINKLE_CACHE/synthesis, else `synthesis` in the build directory.
   std::filesystem::path cache;

@@ -11,13 +11,13 @@ namespace {
 
 using IntVec = std::array<std::int64_t, 3>;
 
-// A vector for the core and what is expected of its unit vector.
+// A vector for the core, and the unit vector that is expected of it.
 struct Case {
   IntVec vector;
   std::array<double, 3> unit;
 };
 
-// Three cases a fragment, as its N, L and H.
+// One fragment tests three cases: they are its N, L and H.
 Stimulus stimulus_of(const Config& config, const std::vector<Case>& cases) {
   Stimulus stimulus(config);
   stimulus.add_draw({});
@@ -27,7 +27,7 @@ Stimulus stimulus_of(const Config& config, const std::vector<Case>& cases) {
   return stimulus;
 }
 
-// -2^15 has no negative in 16 bits and is taken for -(2^15 - 1): that turns the vector by at most 2^-15.
+// 2^15 does not fit 16 bits, so -2^15 counts as -(2^15 - 1). That turns the vector by at most 2^-15.
 double allowed(const Config& config, const Case& c) {
   const bool saturates = c.vector[0] == -32768 || c.vector[1] == -32768 || c.vector[2] == -32768;
   return 1 + (saturates ? std::ldexp(1.0, config.unit_bits - 15) : 0);

@@ -64,7 +64,7 @@ std::vector<Sample> read_samples(const std::filesystem::path& path, std::span<co
   return samples;
 }
 
-// The filtered code, from the texel normal it was decoded to.
+// The filtered code, computed back from the normal that the stage decoded it to.
 double code_of(const Config& config, std::int64_t normal) {
   const double full = (1 << config.texel_bits) - (config.decode == static_cast<int>(Decode::kRange) ? 1 : 0);
   return (std::ldexp(double(normal), config.texel_bits - config.vector_bits) + full) / 2;

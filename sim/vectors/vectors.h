@@ -51,7 +51,7 @@ double real(const std::filesystem::path& path, const VectorLine& line, std::size
 // The configuration that the vectors of a kind need: `config` with the widths they are written in.
 Config config_for(VectorKind kind, Config config);
 
-// Draws and scores. With `rtl` null only golden is drawn.
+// Draws the vectors and compares them with the answers. Where `rtl` is null, only golden draws.
 VectorReport check_vectors(const std::filesystem::path& path, const Config& config, const BenchOptions* rtl);
 
 // The four kinds.

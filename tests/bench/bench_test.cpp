@@ -195,11 +195,11 @@ TEST(Model, FailureToBuildShowsWhatTheToolSays) {
 TEST(Model, WaveformIsWrittenAroundADifference) {
   const fs::path root = scratch("waveform");
   fs::copy(fs::path(WRINKLE_SOURCE_DIR) / "rtl", root / "rtl", fs::copy_options::recursive);
-  const fs::path file = root / "rtl" / "wrinkle_output.v";
+  const fs::path file = root / "rtl" / "stage" / "wrinkle_output.v";
   std::string text = read_text(file);
   const std::string from = ".data_i(colour)";
   ASSERT_NE(text.find(from), text.npos);
-  text.replace(text.find(from), from.size(), ".data_i(colour ^ (tag[3:0] == 9))");
+  text.replace(text.find(from), from.size(), ".data_i(colour ^ (carried[3:0] == 9))");
   std::ofstream(file) << text;
   BenchOptions options;
   options.model = {root, root / "cache", false, false};

@@ -1,5 +1,6 @@
-// The catalogue of numerical extremes, one test an entry and configuration, under its number: golden inside the stated
-// bound for every named configuration, RTL equal for `standard` and for the widest, whose models are built here.
+// The catalogue of numerical extremes, with a test for each entry and configuration under the number of the entry.
+// Golden must stay inside the stated bound for every named configuration. The RTL must be equal for `standard` and for
+// the widest, whose models are built here.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

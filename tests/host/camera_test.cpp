@@ -85,7 +85,7 @@ TEST(Transform, RotationIsCounterClockwise) {
   expect_near(transform_direction(rotation({0, 3, 0}, std::numbers::pi / 2), {0, 0, 1}), {1, 0, 0});
 }
 
-// A normal stays at right angles to the surface and on its side, under any matrix.
+// Under any matrix a normal stays at right angles to its surface, and on the same side of it.
 TEST(Transform, NormalsStayNormal) {
   for (const double flip : {1.0, -1.0}) {
     const Mat4 m = rotation({1, 2, 3}, 0.4) * scaling({flip * 2, 0.3, 1});

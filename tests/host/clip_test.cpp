@@ -66,7 +66,7 @@ TEST(Clip, OutsideVanishesOnEverySide) {
   EXPECT_EQ(clip_triangle(vertex(0, 201), vertex(5, 210), vertex(0, 300)).count, 0);
   EXPECT_EQ(clip_triangle(vertex(0, 0, -0.1), vertex(5, 0, -0.1), vertex(0, 5, -0.1)).count, 0);
   EXPECT_EQ(clip_triangle(vertex(0, 0, 1.1), vertex(5, 0, 1.1), vertex(0, 5, 1.1)).count, 0);
-  // Outside a corner without being outside one side alone.
+  // This triangle lies outside of a corner of the band, but all of it is outside of no single side.
   EXPECT_EQ(clip_triangle(vertex(-150, -90), vertex(-90, -150), vertex(-150, -150)).count, 0);
 }
 
@@ -87,7 +87,7 @@ TEST(Clip, ATriangleAroundTheBandIsTheBand) {
   expect_attributes_linear(polygon);
 }
 
-// Behind the eye (w <= 0) nothing is left, in front the edges end on the near plane.
+// What is behind the eye (w <= 0) is cut off, and the edges in front of it end on the near plane.
 TEST(Clip, NearPlaneRemovesWhatIsBehindTheEye) {
   // z = 2 (d - 1), w = d: near plane at d = 1.
   const auto at = [](double x, double y, double d) { return vertex(x, y, 2 * (d - 1) / 3, d); };
@@ -105,7 +105,7 @@ TEST(Clip, FarPlane) {
   EXPECT_EQ(polygon.corner[1].screen.z, 1);
 }
 
-// The same new corner, bit for bit, from both sides of a shared edge, whichever way it runs.
+// Both triangles at a shared edge get the same new corner, bit for bit, in whichever direction the edge runs.
 TEST(Clip, SharedEdgesAreCutAlike) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> inside(-50, 150), outside(250, 900);

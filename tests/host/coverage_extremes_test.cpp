@@ -28,7 +28,7 @@ TEST(Extremes, E03_Sliver) {
   const Config config = config_for(12);
   Random random(5);
   const int length = 4096 * 256;
-  // One sub-pixel wide, along the centres of a row, of a column and of a diagonal.
+  // Triangles one sub-pixel wide, which run along the pixel centres of a row, of a column and of a diagonal.
   EXPECT_EQ(area(spans(config, triangle({0, 128}, {length, 128}, {0, 129}), 4096, 4096)), 4096u);
   EXPECT_EQ(area(spans(config, triangle({128, 0}, {129, 0}, {128, length}), 4096, 4096)), 4096u);
   EXPECT_EQ(area(spans(config, triangle({0, 0}, {1, 0}, {length, length}), 4096, 4096)), 4096u);
@@ -50,7 +50,7 @@ TEST(Extremes, E04_OnePixelCentreOrNone) {
 TEST(Extremes, E05_FanAboutAPixelCentre) {
   const Config config = config_for(6);
   const Point centre{32 * 256 + 128, 32 * 256 + 128};
-  // Rim and centre on pixel centres, so that many centres lie on edges.
+  // The rim and the middle of the fan lie on pixel centres, so that many centres lie on edges.
   const int rim[][2] = {{16, 0}, {16, 8}, {8, 16}, {0, 16}, {-16, 16}, {-16, 0}, {-8, -16}, {0, -16}, {16, -16}};
   std::map<Pixel, int> count;
   for (std::size_t i = 0; i < std::size(rim); ++i) {
@@ -69,7 +69,8 @@ TEST(Extremes, E05_FanAboutAPixelCentre) {
 
 TEST(Extremes, E06_LeastArea) {
   const Config config = config_for(4);
-  // Twice the area is one sub-pixel squared, on the pixel centre: top-left owns it, the other winding too.
+  // Twice the area of this triangle is one sub-pixel squared, and it lies on a pixel centre. The top-left rule gives it
+  // the pixel, in either winding.
   EXPECT_EQ(pixels(config, triangle({128, 128}, {129, 128}, {128, 129}), 16, 16), std::vector<Pixel>({{0, 0}}));
   EXPECT_EQ(pixels(config, triangle({128, 128}, {128, 129}, {129, 128}), 16, 16), std::vector<Pixel>({{0, 0}}));
   EXPECT_TRUE(pixels(config, triangle({127, 127}, {128, 127}, {127, 128}), 16, 16).empty());

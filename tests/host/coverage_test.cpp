@@ -101,7 +101,7 @@ TEST(Coverage, WalksEqualHalfPlanesOnRandomTriangles) {
   }
 }
 
-// A jittered grid: every pixel exactly once, whatever the windings and diagonals.
+// The triangles of a jittered grid draw every pixel exactly once, whatever their windings and diagonals.
 TEST(Coverage, SharedEdgesAreDrawnOnce) {
   Random random(4);
   const Config config = config_for(6);
@@ -133,8 +133,8 @@ TEST(Coverage, SharedEdgesAreDrawnOnce) {
   }
 }
 
-// Slivers cut at the right side of the screen so that a piece would begin or end with an empty row: three in some eight
-// million random triangles.
+// Slivers that the right side of the screen cuts so that a piece would begin or end with an empty row. These are three
+// from some eight million random triangles.
 TEST(Coverage, PiecesAreTrimmed) {
   for (const auto& [bits, width, a, b, c] : {std::tuple{6, 5, Point{208, 333}, Point{1089, 1959}, Point{232, 536}},
                                              {6, 7, Point{339, 750}, Point{477, 610}, Point{576, 66}},
@@ -146,7 +146,7 @@ TEST(Coverage, PiecesAreTrimmed) {
 
 TEST(Coverage, AMirrorSavesPackets) {
   const Config config = config_for(6);
-  // The corner in the middle on the left: the single edge is on the right.
+  // The middle corner is on the left, so the single edge is on the right.
   const auto packets = set_up(config, triangle({8000, 100}, {200, 6000}, {9000, 12000}), DrawWords{}, 64, 64);
   ASSERT_EQ(packets.size(), 1u);
   EXPECT_TRUE(packets[0].mirror);

@@ -127,7 +127,7 @@ TEST(Exact, ShadowsItself) {
   EXPECT_NEAR(diffuse(-0.05), nl(-0.05), 1e-7);
 }
 
-// The highlight of a bump that faces away from the light, on a surface that does not.
+// A bump faces away from the light, but its surface does not: there is no highlight.
 TEST(Exact, WithoutDiffuseLightThereIsNoHighlight) {
   Config config;
   DrawState state;
@@ -246,7 +246,7 @@ TEST(Ideal, FollowsEquationsOneAndTwo) {
     EXPECT_NEAR(f.nl, std::max(dot(N, L), 0.0), 1e-12);
     EXPECT_NEAR(f.nh, std::max(dot(N, H), 0.0), 1e-12);
   }
-  // Smooth where there is no height field, and where the draw is not bump mapped.
+  // The normal is smooth where there is no height field, and where the draw is not bump mapped.
   frame.ideal.height = {nullptr};
   EXPECT_NEAR(length(fragments(config, frame, true).at(0).n - plane->at(0, 0).N), 0, 1e-15);
   frame.ideal.height = {std::make_shared<Slope>()};

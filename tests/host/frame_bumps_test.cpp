@@ -1,4 +1,5 @@
-// Bumps as the vertex rate lets them be lit: the right side, in a mirror, from behind, near to the ideal.
+// The vertex rate prepares bumps so that they are lit on the right side, also in a mirror and from behind, and as the
+// ideal picture has them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ TEST(Frame, BumpIsLitOnTheSideOfTheLight) {
   }
 }
 
-// RMS difference of N.L from Blinn's, with the paper's patch in divisions^2 x 2 triangles.
+// The RMS difference of N.L from that of Blinn's normal, with the paper's patch in divisions^2 x 2 triangles.
 double method_error(double amplitude, int divisions) {
   const Grid<double> height = pinwheel(256, amplitude);
   const auto patch = stretched_patch();
@@ -143,7 +144,7 @@ TEST(Frame, BackOfABumpIsADent) {
   EXPECT_GT(at(-16), at(0) + 0.1);
 }
 
-// The ideal picture is of the same side and the same bumps: plain, in a mirror, from behind, and both.
+// The ideal picture shows the same side and the same bumps: plain, in a mirror, from behind, and both.
 TEST(Frame, IdealSeesMirroredAndBackSidesAsTheDatapathDoes) {
   const Grid<double> height = pinwheel(256, 0.02);
   const auto patch = stretched_patch();

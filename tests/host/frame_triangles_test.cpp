@@ -51,7 +51,7 @@ TEST(Frame, CullsBacksUnlessDoubleSided) {
   }
 }
 
-// Those that are culled count too: an id names a triangle of the mesh.
+// An id is the number of a triangle in the mesh, so triangles that are culled count too.
 TEST(Frame, CountsTrianglesOverTheFrame) {
   Scene scene = scene_of(object_of(tessellate(make_cube(), 1, 1)));
   scene.objects[0].to_world = rotation({1, 0, 0}, std::numbers::pi / 2);  // the lid, face 4, to the front
@@ -64,7 +64,8 @@ TEST(Frame, CountsTrianglesOverTheFrame) {
   EXPECT_EQ(frame.draws[1].triangles[0].id, 12u + 8u);
 }
 
-// Triangles of the size of the grid: snapping flattens some and turns some over; those left all turn as before.
+// These triangles are as small as the sub-pixel grid. Snapping flattens some and turns some over; all that are left
+// have the winding that they had.
 TEST(Frame, SnappingTurnsNothingOver) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> position(-2.0 / kSize / 256, 2.0 / kSize / 256);
@@ -99,7 +100,7 @@ TEST(Frame, AMirroringMatrixDrawsTheSameSide) {
   }
 }
 
-// A closed mesh in front of the camera: no pixel is drawn twice, and there is no hole.
+// A closed mesh in front of the camera draws no pixel twice and leaves no hole.
 TEST(Frame, WatertightWholeAndClipped) {
   for (const double half_height : {1.0, 0.004}) {  // the second: most corners are far outside the guard band
     Scene scene = scene_of(object_of(tessellate({std::make_shared<Sphere>(0.9)}, 24, 24)));

@@ -60,7 +60,7 @@ TEST(Frame, FramesAreOrthonormalUnderAnyMatrix) {
       ASSERT_NEAR(dot(f.T, f.N), 0, 1e-9);
       ASSERT_NEAR(dot(f.B, f.N), 0, 1e-9);
       ASSERT_NEAR(dot(cross(f.N, f.T), f.B), flip, 1e-9);
-      // B goes up the image: along the image of the surface's B.
+      // B points up in the image, along the image of the surface's B.
       ASSERT_GT(dot(f.B, transform_direction(m, cross(v.N, v.T))), 0);
     }
   }

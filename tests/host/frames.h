@@ -41,7 +41,7 @@ inline Object bumped(Mesh mesh, NormalMap map) {
   return object;
 }
 
-// N.L by pixel from the exact engine; -1 where nothing is drawn, -2 where a pixel is drawn twice.
+// N.L of each pixel by the exact engine; -1 where nothing is drawn, -2 where a pixel is drawn twice.
 inline std::vector<double> draw(const Config& config, const Scene& scene) {
   std::vector<double> image(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height), -1);
   draw_exact(config, build_frame(config, scene), [&](const ExactFragment& f) {

@@ -123,7 +123,7 @@ TEST(Height, PinwheelIsAPinwheel) {
   EXPECT_NEAR(sum / (512 * 512) / 0.02, disc / 2, 0.002);
   EXPECT_LT(between, 0.05 * static_cast<double>(grid.samples.size()));
   EXPECT_GT(between, 1000);
-  // Flat all along the border: no seam.
+  // The field is flat along its border, so there is no seam.
   for (int i = 0; i < 512; ++i) EXPECT_EQ(grid.at(i, 0) + grid.at(0, i) + grid.at(511, i) + grid.at(i, 511), 0);
   // Six raised vanes around any circle.
   int rises = 0;

@@ -16,7 +16,7 @@ namespace {
 using Key = std::tuple<double, double, double>;
 Key key(Vec3 p) { return {p.x, p.y, p.z}; }
 
-// How often each directed edge between positions is run through.
+// How many triangles have each edge, by its two positions in the direction in which the triangle has it.
 std::map<std::pair<Key, Key>, int> directed_edges(const Mesh& mesh) {
   std::map<std::pair<Key, Key>, int> edges;
   for (const auto& t : mesh.triangles) {
@@ -85,7 +85,7 @@ TEST(Mesh, TrianglesTurnAsTheNormalsSay) {
   EXPECT_GT(volume(tessellate(teapot(), 8, 8)), 0.5);
 }
 
-// Handle and spout are tubes: seen from their middle line, normals point away from it.
+// Handle and spout are tubes, so their normals point away from their middle line.
 TEST(Mesh, HandleAndSpoutFaceOutwards) {
   const auto patches = teapot();
   for (std::size_t first : {12u, 14u, 16u, 18u}) {

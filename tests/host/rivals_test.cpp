@@ -144,8 +144,8 @@ TEST(Rivals, PrecisionIsThatOfStandard) {
             45);
 }
 
-// N' in object space under constant L and H is what it is in tangent space, finely tessellated; and a turned object is
-// the object with everything else turned.
+// With constant L and H a map in object space draws what a map in tangent space draws on fine triangles. A turned
+// object looks as the object does when everything else is turned the other way.
 TEST(Rivals, ObjectSpaceLightsAsTangentSpace) {
   const Config constant = with({{&Config::light_vectors, 1}});
   const auto object = [&](const Mat4& m) {
@@ -160,7 +160,7 @@ TEST(Rivals, ObjectSpaceLightsAsTangentSpace) {
   EXPECT_LT(psnr(object(turned), tangent({})), 30) << "the comparison sees a turn";
 }
 
-// The rotated frame keeps angles: at fine tessellation it is Phong shading.
+// The rotated frame keeps angles, so on fine triangles it is Phong shading.
 TEST(Rivals, RotatedFrameConvergesToPhong) {
   double last = 0;
   for (int n : {4, 8, 16, 32}) {
@@ -183,7 +183,7 @@ TEST(Rivals, OtherIlluminationsConvergeToTheirIdeal) {
   }
 }
 
-// Without constant vectors, with local light, or in tangent space, the draw packet cannot hold L and H.
+// The draw packet cannot hold L and H where they are not constant: with a local light, or in tangent space.
 TEST(Rivals, ConstantVectorsAreRefusedWhereTheyAreNotConstant) {
   const Config constant = with({{&Config::light_vectors, 1}});
   EXPECT_THROW(build_frame(constant, patch_scene(2, Map::kSurface)), std::invalid_argument);
@@ -193,7 +193,8 @@ TEST(Rivals, ConstantVectorsAreRefusedWhereTheyAreNotConstant) {
   EXPECT_THROW(build_frame(constant, local), std::invalid_argument);
 }
 
-// A - fu B - fv C of a vertex is N' of Eq. 1-2, under any matrix; from outside where the matrix mirrors.
+// A - fu B - fv C of a vertex is N' of Eq. 1-2 under any matrix. Where the matrix mirrors, it points outwards all the
+// same.
 TEST(Rivals, CrossVectorsAreBlinns) {
   Random random(5);
   for (int i = 0; i < 10000; ++i) {
@@ -262,7 +263,8 @@ TEST(Rivals, BlockExponentOfATriangleKeepsEveryScale) {
   EXPECT_GT(worst, 0);
 }
 
-// 57: D = 0 leaves Pu x Pv as it is; D that swamps the surface is D, and between them the direction is continuous.
+// 57: with D = 0 N' is Pu x Pv, with a D much larger than Pu x Pv it is D, and between them its direction is
+// continuous.
 TEST(Rivals, BumpsFromNothingToAll) {
   const Config config = with({{&Config::datapath, 2}, {&Config::gradient_bits, 12}});
   DrawState state;

@@ -107,7 +107,8 @@ std::uint64_t fingerprint(const Config& config) {
   return hash;
 }
 
-// The same words from every compiler at every optimisation; these come from gcc 12 and clang 14, -O0 to -O2, on x86-64.
+// Every compiler at every optimisation must give the same words. gcc 12 and clang 14 gave these, with -O0 to -O2 on
+// x86-64.
 TEST(SetUp, WordsAreTheSameFromEveryCompiler) {
   Config config = fixed_widths();
   EXPECT_EQ(fingerprint(config), 16283448069667544233u);

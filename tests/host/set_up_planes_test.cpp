@@ -57,7 +57,7 @@ struct Worst {
   std::int64_t pixels = 0;
 };
 
-// Every component without perspective at every pixel of a triangle, against the exact rational.
+// Compares every component, without perspective and at every pixel of a triangle, with the exact rational number.
 void measure(const Config& config, const ScreenTriangle& t, Worst& worst) {
   const double guard = std::ldexp(1.0, config.guard_bits);
   for (const TriangleWords& packet : set_up(config, t, bumped(), config.screen_size(), config.screen_size())) {
@@ -209,7 +209,8 @@ TEST(Extremes, E14_GreatestGradient) {
   EXPECT_GT(worst.pixels, 1000);
 }
 
-// The accumulators wrap; set-up keeps the ends of the formats clear, so that nothing inside a triangle does.
+// The accumulators may wrap. Set-up keeps values clear of the ends of their formats, so that none inside a triangle
+// does.
 TEST(Extremes, E15_TheEndsOfTheFormatAreNotCrossed) {
   Random random(15);
   for (int guard_bits : {4, 8, 12}) {

@@ -212,7 +212,7 @@ TEST(Tangents, MirrorSeamSplitsVertices) {
   }
 }
 
-// uv without area [extremes 30]: defined and finite; a neighbour over an edge lends its tangent.
+// Where uv have no area [extremes 30] the tangent still is defined and finite: it is that of a neighbour over an edge.
 TEST(Tangents, Extreme30DegenerateUv) {
   std::vector<TangentCorner> alone{
       {{0, 0, 0}, {0, 0, 1}, {0.5, 0.5}}, {{1, 0, 0}, {0, 0, 1}, {0.5, 0.5}}, {{0, 1, 0}, {0, 0, 1}, {0.5, 0.5}}};

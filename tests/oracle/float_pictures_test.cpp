@@ -1,4 +1,4 @@
-// Pictures that a float32 renderer drew from stored vertices: our exact and golden engines against them.
+// A float32 renderer drew these pictures from stored vertices. The exact and the golden engine are compared with them.
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>

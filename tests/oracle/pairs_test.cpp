@@ -78,7 +78,7 @@ TEST(Pairs, FlippedGreenIsSeen) {
   EXPECT_GE(worst_pair(draw_exact_dots(config, frame)), .1);
 }
 
-// The whole model mirrored in x, under the mirrored light: the same picture, flipped.
+// The whole model is mirrored in x, and so is the light: the picture is the same, flipped.
 TEST(Mirror, E29_MirroredModelGivesMirroredPicture) {
   WRINKLE_NEEDS_ASSET(kModel);
   const Config config = load_config("extreme");

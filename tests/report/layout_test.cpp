@@ -1,4 +1,4 @@
-// Sheets of pictures: every pixel where it belongs.
+// On a sheet of pictures every pixel is where it belongs.
 #include "sim/layout.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-// Red counts columns, green rows.
+// A picture whose red is the column and whose green is the row.
 Picture ramp(int width, int height) {
   Picture picture(width, height, {"R", "G", "B"});
   for (int y = 0; y < height; ++y) {

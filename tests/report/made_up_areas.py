@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
-"""Puts made-up areas and speeds into a report that was made without: what the page shows of them, without synthesis.
+"""Adds made-up areas and speeds to a report that was made without them, so that a test can look at the charts that show
+areas without running synthesis.
 
-usage: made_up_areas.py REPORT.json      the report with areas, on standard output
+usage: made_up_areas.py REPORT.json      writes the report with areas to standard output
 """
 import json
 import sys
 
+# NAND2 of each stage, and the stages that the paper takes as given.
 STAGES = {"packet": 6000, "scan": 5400, "interpolate": 24000, "texture coordinates": 11000, "texture": 51200,
           "perturb": 0, "normalize": 19800, "light": 13300, "output": 7900}
 GIVEN = ("scan", "texture", "texture coordinates")
 
 
 def area(name, changes):
+    """The areas of one figure or configuration; `changes` are added to its stages, by name."""
     stages = [{"stage": stage, "given": stage in GIVEN, "nand2": nand2 + changes.get(stage, 0), "um2": 24 * nand2,
                "flip_flops": nand2 // 20, "critical_path_ns": 8.5} for stage, nand2 in STAGES.items()]
     return {"name": name, "library": "made up", "um2": sum(s["um2"] for s in stages),

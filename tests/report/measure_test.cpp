@@ -1,7 +1,8 @@
-// What area, error and report measure with, on cases whose answer is known.
+// The measurements of `area`, `error` and `report`, on cases whose answers are known.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bitset>
 #include <cmath>
 #include <filesystem>
 
@@ -77,12 +78,21 @@ TEST(Modules, OnlyWhatAModuleNeeds) {
   EXPECT_THAT(names, testing::Not(testing::Contains("wrinkle_texture_filter")));
   Config config = load_config("standard");
   config.screen_bits = 7;
-  const VerilogParameters expected{
-      {"SCREEN_BITS", 7}, {"SUBPIXEL_BITS", config.subpixel_bits}, {"SHARING", 0}, {"BUFFERING", 0}};
-  EXPECT_EQ(module_parameters("wrinkle_scan", config), expected);
+  const auto binary = [](int value) { return "32'b" + std::bitset<32>(static_cast<unsigned>(value)).to_string(); };
+  const VerilogParameters expected{{"SCREEN_BITS", binary(7)},
+                                   {"SUBPIXEL_BITS", binary(config.subpixel_bits)},
+                                   {"SHARING", binary(0)},
+                                   {"BUFFERING", binary(0)},
+                                   {"WORDS", binary(4)}};
+  const StageModule scan = stage_module("scan", config), perturb = stage_module("perturb", config);
+  EXPECT_EQ(scan.module, "wrinkle_scan");
+  EXPECT_EQ(scan.parameters, expected);
+  EXPECT_EQ(perturb.module, "wrinkle_perturb_normal_map");
+  EXPECT_FALSE(core_parameters(config).contains("BLOCK_EXPONENT"));
 }
 
-// N, L and H are unit vectors in every order of normalization: mantissas are multiplied by their scales.
+// The values N, L and H are unit vectors in either order of normalization, since mantissas are multiplied by their
+// scales.
 TEST(Aov, VectorsOfMantissasHaveUnitLength) {
   const Config config = load_config("deferred");
   const Frame frame = build_frame(config, scene_named("patch_fig6"));

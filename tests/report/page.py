@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Loads a report in headless Chromium: hovers points, moves the divide, filters, and asks for console errors.
+"""Opens a report in headless Chromium and uses it: hovers over points, moves the divide between two pictures, chooses
+filters, saves tables. Fails where the page does not follow, or where the browser logs an error.
 
 usage: page.py [--screenshot FILE.png] [--size WIDTHxHEIGHT] REPORT.html
---screenshot keeps the top of the page as a picture: docs/images/report.png is that of a whole run.
-Exit code 77: Chromium or chromedriver is not here. Speaks the WebDriver protocol itself, so that nothing but Debian's chromium and chromium-driver is needed.
+--screenshot keeps the top of the page as a picture. docs/images/report.png was made so from a report of everything.
+The exit code is 77 where Chromium or chromedriver is not installed. The script speaks the WebDriver protocol itself, so
+that it needs nothing but Debian's packages chromium and chromium-driver.
 """
 import argparse
 import base64
@@ -21,7 +23,7 @@ SKIPPED = 77
 
 
 class Driver:
-    """A session of chromedriver on a port it chose."""
+    """A browser that chromedriver steers. chromedriver chooses its port and prints it."""
 
     def __init__(self, folder):
         self.process = subprocess.Popen(
@@ -52,7 +54,7 @@ class Driver:
         return self.call("POST", "/execute/sync", {"script": script, "args": []})
 
     def mouse(self, *steps):
-        """Steps are points of the window to move to, and "down" and "up"."""
+        """Moves the mouse. A step is a point of the window to move to, or "down" or "up" for the button."""
         actions = []
         for step in steps:
             if step in ("down", "up"):
@@ -66,10 +68,10 @@ class Driver:
         self.run("window.scrollTo(0, 0); document.documentElement.style.overflow = 'hidden'")
         self.mouse([1, 1])
         self.call("POST", "/window/rect", {"width": width, "height": height})
-        # What the browser's own frame takes from the window is put on top.
+        # The browser's own frame takes part of the window, so the window is made larger by that much.
         inner = self.run("return [window.innerWidth, window.innerHeight]")
         self.call("POST", "/window/rect", {"width": 2 * width - inner[0], "height": 2 * height - inner[1]})
-        time.sleep(0.5)  # charts follow the width
+        time.sleep(0.5)  # the charts need a moment to take the new width
         pathlib.Path(path).write_bytes(base64.b64decode(self.call("GET", "/screenshot")))
 
     def close(self):
@@ -80,6 +82,7 @@ class Driver:
 
 
 def check(good, what):
+    """Prints what was checked, and ends the script where it is not so."""
     print(("ok      " if good else "FAILED  ") + what)
     if not good:
         raise SystemExit(1)
@@ -94,7 +97,7 @@ def wait_for(driver, script):
 
 
 def hover(driver, chart):
-    """The tooltip of the first point of a chart, as text."""
+    """Moves the mouse over the first point of a chart and returns the text of the tooltip that appears."""
     point = driver.run(f"""
         const chart = wrinkleReport.charts.{chart};
         chart.canvas.scrollIntoView({{block: 'center', behavior: 'instant'}});
@@ -107,7 +110,8 @@ def hover(driver, chart):
         return tooltip.opacity > 0 ? tooltip.body.flatMap(b => b.lines).join(' ') : '';""")
 
 
-PICTURE = """
+# A number that changes with the picture on the page.
+PICTURE_HASH = """
     const canvas = document.getElementById('picture-canvas');
     const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
     let hash = 0;
@@ -116,7 +120,7 @@ PICTURE = """
 
 
 def drag_divide(driver, share):
-    """Drags the handle of the slider to a share of its length; its value then."""
+    """Drags the divide to a share of its length and returns the value that the slider has then."""
     box = driver.run("""
         const slider = document.getElementById('picture-split');
         slider.scrollIntoView({block: 'center', behavior: 'instant'});
@@ -135,22 +139,23 @@ def choose(driver, select, value):
         select.dispatchEvent(new Event('input'));""")
 
 
-ROWS = "return document.querySelectorAll('#trade-table tbody tr').length"
+TABLE_ROWS = "return document.querySelectorAll('#trade-table tbody tr').length"
 
 
 def look_at_filters(driver):
-    """Every filter shows the configurations that have its value, and those alone."""
+    """Every value of every filter shows the configurations that have it, and no others."""
     filters = driver.run("""
         const data = JSON.parse(document.getElementById('data').textContent);
         return [...document.querySelectorAll('#trade-filters select')].map(s => [s.id, [...s.options].map(o => [
             o.value, data.configs.filter(c => o.value === 'all' || c.choices[s.dataset.key] === o.value).length])]);""")
-    check({"trade-datapath", "trade-normalizer_n"} <= {name for name, _ in filters}, "filters by datapath and normalizer")
+    check({"trade-datapath", "trade-normalizer_n"} <= {name for name, _ in filters}, "the page filters by datapath and by normalizer")
     for name, values in filters:
-        check(len(values) > 1 and all(count > 0 for _, count in values), f"{name}: {', '.join(v for v, _ in values)}")
+        check(len(values) > 1 and all(count > 0 for _, count in values),
+              f"filter {name} offers only values that a configuration has: {', '.join(v for v, _ in values)}")
         for value, count in values:
             choose(driver, name, value)
-            if driver.run(ROWS) != count:
-                check(False, f"{name} = {value} shows {count} configurations")
+            if driver.run(TABLE_ROWS) != count:
+                check(False, f"filter {name} = {value} shows the {count} configurations that have this value")
         choose(driver, name, "all")
     points = "return wrinkleReport.charts.trade.data.datasets.reduce((n, d) => n + d.data.length, 0)"
     all_points = driver.run(points)
@@ -161,57 +166,61 @@ def look_at_filters(driver):
             choose(driver, "trade-datapath", value)
             each.append(driver.run(points))
         choose(driver, "trade-datapath", "all")
-        check(sum(each) == all_points and driver.run(points) == all_points, f"points by datapath: {dict(zip(values, each))}")
+        check(sum(each) == all_points and driver.run(points) == all_points,
+              f"the chart shows the points of one datapath at a time: {dict(zip(values, each))}")
 
 
 def look_at_paper(driver):
+    """The section on the paper: Fig. 5, 6 and 7 in pairs, and the errors of the method."""
     pairs = driver.run("""
         return [...document.querySelectorAll('#pairs-table tbody tr')].slice(0, 3).map(
             tr => [...tr.cells].slice(0, 2).map(td => td.textContent));""")
     for name, decibels in pairs:
-        check(20 < float(decibels) < 60, f"{name}: {decibels} dB")
-    check(len(pairs) == 3, "Fig. 5, 6 and 7 against each other")
+        check(20 < float(decibels) < 60, f"the table gives {name} as {decibels} dB")
+    check(len(pairs) == 3, "the table has Fig. 5, 6 and 7 in three pairs")
     table = "return document.getElementById('tessellation-table').textContent"
     before = driver.run(table)
     other = driver.run("const s = document.getElementById('tessellation-filtering'); "
                        "return [...s.options].map(o => o.value).find(v => v !== s.value)")
     choose(driver, "tessellation-filtering", other)
-    check(driver.run(table) != before, "the method's errors follow the map")
+    check(driver.run(table) != before, "the errors of the method change with the choice of filtering")
 
 
 def look_at_downloads(driver):
+    """Each link that saves the tables brings a text of its format."""
     for name, start in (("csv", "table,row,column,value"), ("markdown", "# Report"), ("json", "{")):
         text = driver.call("POST", "/execute/async", {"args": [], "script": f"""
             fetch(document.getElementById('save-{name}').href).then(r => r.text()).then(arguments[0]);"""})
-        check(text.startswith(start) and len(text) > 200, f"{name} of {len(text)} characters")
+        check(text.startswith(start) and len(text) > 200, f"the link saves {name}, {len(text)} characters")
 
 
 def look(driver, page):
+    """Uses every part of the page as a reader would."""
     driver.call("POST", "/url", {"url": pathlib.Path(page).resolve().as_uri()})
     check(wait_for(driver, "return typeof wrinkleReport === 'object' && Object.keys(wrinkleReport.charts).length >= 2"),
-          "the page draws its charts")
+          "the page has drawn its charts")
     charts = driver.run("""
         return Object.entries(wrinkleReport.charts)
             .filter(([, chart]) => chart.data.datasets.some(d => d.data.length > 0)).map(([name]) => name);""")
-    check(charts, f"charts with points: {', '.join(charts)}")
+    check(charts, f"these charts have points: {', '.join(charts)}")
     for chart in charts:
         text = hover(driver, chart)
-        check(text != "", f"hovering the chart '{chart}' shows: {text}")
+        check(text != "", f"a point of the chart '{chart}' shows: {text}")
 
-    check(wait_for(driver, "return document.getElementById('picture-text').textContent !== ''"), "pictures are there")
-    before = driver.run(PICTURE)
+    check(wait_for(driver, "return document.getElementById('picture-text').textContent !== ''"), "the page shows pictures")
+    before = driver.run(PICTURE_HASH)
     value = drag_divide(driver, 0.1)
-    check(value < 30, f"the divide moved to {value:.0f} %")
-    check(driver.run(PICTURE) != before, "the picture follows the divide")
-    divided = driver.run(PICTURE)
+    check(value < 30, f"the divide was dragged to {value:.0f} %")
+    check(driver.run(PICTURE_HASH) != before, "the picture changes with the divide")
+    divided = driver.run(PICTURE_HASH)
     driver.run("document.getElementById('picture-difference').click()")
-    check(driver.run(PICTURE) != divided, "the difference is another picture")
+    check(driver.run(PICTURE_HASH) != divided, "the difference of two pictures is a picture of its own")
     driver.run("document.getElementById('picture-difference').click()")
 
     choose(driver, "picture-zoom", "4")
     sizes = driver.run("const c = document.getElementById('picture-canvas'); "
                        "return [c.width, c.getBoundingClientRect().width]")
-    check(sizes[1] == 4 * sizes[0], "zoomed four times")
+    check(sizes[1] == 4 * sizes[0], "zoom 4 shows each pixel four times as wide")
     choose(driver, "picture-zoom", "1")
     choose(driver, "picture-split", "50")
 
@@ -220,14 +229,14 @@ def look(driver, page):
         look_at_paper(driver)
     look_at_downloads(driver)
     errors = [entry for entry in driver.call("POST", "/se/log", {"type": "browser"}) if entry["level"] == "SEVERE"]
-    check(not errors, f"no console error {errors}")
+    check(not errors, f"the browser logged no error {errors}")
 
 
 def main():
-    parser = argparse.ArgumentParser(description="looks at a report in headless Chromium")
+    parser = argparse.ArgumentParser(description="opens a report in headless Chromium and checks that it works")
     parser.add_argument("report")
     parser.add_argument("--screenshot", metavar="FILE")
-    parser.add_argument("--size", default="1160x1500", help="of the screenshot, WIDTHxHEIGHT")
+    parser.add_argument("--size", default="1160x1500", help="size of the screenshot, WIDTHxHEIGHT")
     arguments = parser.parse_args()
     if not shutil.which("chromium") or not shutil.which("chromedriver"):
         print("skipped: chromium or chromedriver is not installed")

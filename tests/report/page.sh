@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# usage: page.sh WRINKLE FOLDER      makes a report without synthesis and timing, and looks at it as page.py does; then
-# at the same with made-up areas, so that the charts are looked at that stand on synthesis
+# usage: page.sh WRINKLE FOLDER
+# Makes a report without synthesis and timing, and checks its tables and its page. Then it does the same with made-up
+# areas, since the charts that show areas would be empty otherwise.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 "$1" report --no-area --no-speed --configs lean,standard,blinn --scenes patch_fig1,patch_fig6 --output "$2"
-# A line of the tables must be there: the pattern is said where it is not.
-has() { grep -q "$1" "$2" || { echo "no line $1 in $2"; exit 1; }; }
+# Fails unless a line of file $2 matches the pattern $1.
+has() { grep -q "$1" "$2" || { echo "$2 has no line that matches $1"; exit 1; }; }
 has '^configurations,standard,precision_db,[0-9]' "$2/report.csv"
 has '^pictures,fig5 against fig6,psnr_db,39' "$2/report.csv"
 has '^| standard | tangent | faithful |' "$2/report.md"

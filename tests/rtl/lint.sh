@@ -1,6 +1,6 @@
 #!/bin/sh
 # Lint gates of the Verilog: Verilator -Wall, Icarus -g2005 -Wall and Yosys, without waivers, for the core in very
-# different configurations, for every module of rtl/ alone, and for illegal configurations, which must not elaborate.
+# different configurations, for every stage alone, and for illegal configurations, which must not elaborate.
 # One line a check; exit 1 with the tool's message at the first that fails.
 #   lint.sh [FILTER]     only the checks whose line contains FILTER
 set -u
@@ -9,7 +9,12 @@ filter=${1:-}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-stages="packet scan interpolate perspective texture perturb normalize light output"
+libraries="" sources=""
+for folder in rtl rtl/stage rtl/perturb rtl/unit rtl/lib; do
+  libraries="$libraries -y $root/$folder -I$root/$folder"
+  if ls "$root/$folder"/*.v >/dev/null 2>&1; then sources="$sources $root/$folder/*.v"; fi
+done
+file_of() { ls "$root"/rtl/"$1.v" "$root"/rtl/*/"$1.v" 2>/dev/null; }
 
 # check NAME COMMAND...: passes when the command succeeds and prints nothing.
 check() {
@@ -45,7 +50,7 @@ verilator_lint() { # TOP [NAME=VALUE...]
   for setting in "$@"; do flags="$flags -G$setting"; done
   # shellcheck disable=SC2086
   verilator --lint-only -Wall --default-language 1364-2005 --top-module "$top" $flags \
-    -y "$root/rtl" -y "$root/rtl/lib" "$root/rtl/$top.v"
+    $libraries "$(file_of "$top")"
 }
 
 icarus_lint() {
@@ -54,7 +59,7 @@ icarus_lint() {
   flags=""
   for setting in "$@"; do flags="$flags -P$top.$setting"; done
   # shellcheck disable=SC2086
-  iverilog -g2005 -Wall -s "$top" $flags -y "$root/rtl" -y "$root/rtl/lib" -o /dev/null "$root/rtl/$top.v"
+  iverilog -g2005 -Wall -s "$top" $flags $libraries -o /dev/null "$(file_of "$top")"
 }
 
 yosys_run() { # SCRIPT TOP [NAME=VALUE...]
@@ -63,21 +68,12 @@ yosys_run() { # SCRIPT TOP [NAME=VALUE...]
   shift 2
   flags=""
   for setting in "$@"; do flags="$flags -set ${setting%%=*} ${setting#*=}"; done
-  read="read_verilog -defer $root/rtl/*.v $root/rtl/lib/*.v"
+  read="read_verilog -defer $sources"
   yosys -q -e . -p "$read; ${flags:+chparam $flags $top;} hierarchy -check -top $top; $script"
 }
 
 yosys_check() { yosys_run "proc; check -assert" "$@"; }
 yosys_synthesize() { yosys_run "synth -run coarse: -noabc; check -assert" "$@"; }
-
-# What a stage has of sharing and single buffering.
-sharing_of() {
-  case "$1" in
-    packet) echo BUFFERING=1 ;;
-    scan | interpolate) echo SHARING=1 BUFFERING=1 ;;
-    *) echo SHARING=1 ;;
-  esac
-}
 
 all_three() { # NAME [NAME=VALUE...]
   configuration=$1
@@ -161,38 +157,28 @@ all_three "normalized after, smallest dots of the longest vectors" \
   NORMALIZE_ORDER=1 SELF_SHADOW=0 DATAPATH=2 WIDE_BITS=22 UNIT_BITS=16 DOT_BITS=6 POWER_BITS=6
 all_three "normalized after, blinn, diffuse" NORMALIZE_ORDER=1 SELF_SHADOW=0 DATAPATH=2 LIGHTING=0
 
-for stage in $stages; do
-  check "verilator wrinkle_$stage alone" verilator_lint "wrinkle_$stage"
-  check "icarus    wrinkle_$stage alone" icarus_lint "wrinkle_$stage"
-  check "yosys     wrinkle_$stage alone, synthesized" yosys_synthesize "wrinkle_$stage"
+# Every module of a stage alone, with the widths it has where nobody gives others.
+for file in "$root"/rtl/stage/*.v "$root"/rtl/perturb/*.v; do
+  module=$(basename "$file" .v)
+  check "verilator $module alone" verilator_lint "$module"
+  check "icarus    $module alone" icarus_lint "$module"
+  check "yosys     $module alone, synthesized" yosys_synthesize "$module"
 done
 
-# The stages that differ between the datapaths, alone.
-for stage in packet interpolate perspective texture perturb normalize light; do
-  for datapath in 0 2 3; do
-    check "verilator wrinkle_$stage alone, datapath $datapath" verilator_lint "wrinkle_$stage" DATAPATH=$datapath
-    check "yosys     wrinkle_$stage alone, datapath $datapath, synthesized" \
-      yosys_synthesize "wrinkle_$stage" DATAPATH=$datapath
-  done
-done
-for stage in packet scan interpolate normalize light; do
-  check "yosys     wrinkle_$stage alone, shared and single, synthesized" \
-    yosys_synthesize "wrinkle_$stage" $(sharing_of "$stage")
-done
-for stage in normalize light; do
-  order="NORMALIZE_ORDER=1"
-  if [ "$stage" = light ]; then order="$order SELF_SHADOW=0"; fi
-  # shellcheck disable=SC2086
-  check "verilator wrinkle_$stage alone, normalized after" verilator_lint "wrinkle_$stage" $order
-  # shellcheck disable=SC2086
-  check "yosys     wrinkle_$stage alone, normalized after, synthesized" yosys_synthesize "wrinkle_$stage" $order
-done
-for lighting in 2 3; do
-  check "yosys     wrinkle_normalize alone, lighting $lighting, synthesized" \
-    yosys_synthesize wrinkle_normalize LIGHTING=$lighting
-  check "yosys     wrinkle_light alone, lighting $lighting, synthesized" \
-    yosys_synthesize wrinkle_light LIGHTING=$lighting
-done
+# Whole cores that differ in what each stage has, synthesized.
+synthesized() { # NAME [NAME=VALUE...]
+  configuration=$1
+  shift
+  check "yosys     core: $configuration, synthesized" yosys_synthesize wrinkle_core "$@"
+}
+synthesized "phong" DATAPATH=0
+synthesized "normal map" DATAPATH=1
+synthesized "blinn" DATAPATH=2
+synthesized "rotated" DATAPATH=3
+synthesized "shared and single" SHARING=1 BUFFERING=1
+synthesized "normalized after" NORMALIZE_ORDER=1 SELF_SHADOW=0
+synthesized "reflection" LIGHTING=2
+synthesized "half-angle at every pixel" LIGHTING=3
 
 refused "verilator refuses TEXEL_BITS=11" wrinkle_error_texel_bits verilator_lint wrinkle_core TEXEL_BITS=11
 refused "icarus refuses TEXEL_BITS=11" wrinkle_error_texel_bits icarus_lint wrinkle_core TEXEL_BITS=11

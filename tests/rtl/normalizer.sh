@@ -15,10 +15,10 @@ trap 'rm -rf "$work"' EXIT
 run() {
   dir=$work/$1_$2_$3
   if ! verilator --cc --exe --build -O3 -fno-const-bit-op-tree --x-assign fast --default-language 1364-2005 -Wno-fatal \
-    -GNORMALIZER="$1" -GUNIT_BITS="$2" -GVECTOR_BITS="$3" --top-module wrinkle_unit_vector -y "$root/rtl/lib" \
+    -GNORMALIZER="$1" -GUNIT_BITS="$2" -GVECTOR_BITS="$3" --top-module wrinkle_unit_vector -y "$root/rtl/unit" -y "$root/rtl/lib" \
     -CFLAGS "-std=c++20 -O2 -I$root -DKIND=$1 -DUNIT_BITS=$2 -DVECTOR_BITS=$3" \
     -LDFLAGS "$build/libgolden_pixel.a $build/libgolden_triangle.a $build/libgolden_texel.a $build/libgolden_config.a -lhwy" \
-    --Mdir "$dir" -o check "$root/rtl/lib/wrinkle_unit_vector.v" "$root/tests/rtl/normalizer.cpp" >"$dir.log" 2>&1; then
+    --Mdir "$dir" -o check "$root/rtl/unit/wrinkle_unit_vector.v" "$root/tests/rtl/normalizer.cpp" >"$dir.log" 2>&1; then
     cat "$dir.log"
     exit 1
   fi

@@ -76,12 +76,13 @@ std::vector<Corners> triangles_of(const Scene& scene) {
   return list;
 }
 
-// The files are written with nine digits: what glTF has in single precision, OBJ has to half a unit of the last.
+// The OBJ files have nine digits, so each number is that of the glTF file, in single precision, to half a unit of its
+// last place.
 bool same_corner(const Vertex& a, const Vertex& b) {
   return length(a.P - b.P) < 1e-7 && std::abs(a.uv.x - b.uv.x) < 1e-6 && std::abs(a.uv.y - b.uv.y) < 1e-6;
 }
 
-// `t` turned so that its corners are those of `like`, if they are.
+// `t` with its corners in the order that `like` has, where they are the same corners.
 std::optional<Corners> matched(const Corners& like, const Corners& t) {
   for (std::size_t turn = 0; turn < 3; ++turn) {
     const Corners turned{t[turn], t[(turn + 1) % 3], t[(turn + 2) % 3]};

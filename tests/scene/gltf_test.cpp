@@ -80,7 +80,7 @@ json embedded() {
   return model;
 }
 
-// What is put where, and what is said of it. A null value removes the key.
+// A value that is put at a place of the sound model, and what the reader must say of it. A null value removes the key.
 struct BadGltf {
   const char* name;
   const char* pointer;
@@ -275,7 +275,7 @@ TEST(Gltf, Extremes49ContainerLies) {
   expect_error([&] { read_scene(with(16, 0)); }, {"JSON"});
 }
 
-// Whatever three bytes are wrong: a scene, or one clear message.
+// Whichever three bytes are wrong, the reader returns a scene or one clear message.
 TEST(Gltf, Extremes49RandomBytesSeed1) {
   const Folder folder;
   const std::string whole = binary(embedded(), buffer());

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(File, Vectors,
                            return name.substr(0, name.find('_'));
                          });
 
-// A file with wrong answers is found to be wrong: the comparison can fail.
+// A file whose answers are wrong is found to be wrong, so the comparison can fail.
 struct Wrong {
   const char* name;
   const char* text;

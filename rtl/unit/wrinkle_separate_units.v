@@ -1,45 +1,41 @@
 `default_nettype none
-// N, L and H to unit length, each by its own unit. Constant light vectors come from the draw state, and in the rotated
-// frame N = (0, 0, 1): neither has a unit. With LIGHTING pixel_halfangle H is made here, from the unit vectors L and E,
+// N, L and H to unit length, each by its own unit. Constant light vectors come from the draw state, and where N' has
+// no bits it is (0, 0, 1): neither has a unit. With LIGHTING pixel_halfangle H is made here, from the unit vectors L and E,
 // and has a unit of its own behind theirs. Latency 5, or 1 when no vector has a normalizer; pixel_halfangle adds 6.
 module wrinkle_separate_units #(
-  parameter DATAPATH      = 1,
-  parameter LIGHT_VECTORS = 0,
-  parameter LIGHTING      = 1,
-  parameter NORMALIZER_N  = 1,
-  parameter NORMALIZER_L  = 1,
-  parameter NORMALIZER_H  = 1,
-  parameter VECTOR_BITS   = 9,   // V
-  parameter WIDE_BITS     = 16,  // VW
-  parameter UNIT_BITS     = 9,   // F
-  parameter TAG_BITS      = 36,  // what is carried beside
-  // Of the above: bits of N', of L, of H or E.
-  parameter BUMPED = DATAPATH == 3 ? 1 : DATAPATH == 2 ? 3*(WIDE_BITS+3) : 3*(VECTOR_BITS+2),
-  parameter LVEC   = LIGHT_VECTORS != 0 ? 1 : 3*(VECTOR_BITS+2),
-  parameter HVEC   = LIGHTING != 0 ? LVEC : 1
+  parameter NORMAL            = 33,  // bits of N'; 0: it is (0, 0, 1)
+  parameter NORMAL_INPUT_BITS = 9,
+  parameter L_VECTOR          = 33,  // bits of L, and of H or E; 0: constants of the draw
+  parameter LIGHTING          = 1,
+  parameter NORMALIZER_N      = 1,
+  parameter NORMALIZER_L      = 1,
+  parameter NORMALIZER_H      = 1,
+  parameter VECTOR_BITS       = 9,   // V
+  parameter UNIT_BITS         = 9,   // F
+  parameter CARRY             = 36
 ) (
   input  wire                clk,
   input  wire                rst,
-  input  wire [(LIGHT_VECTORS != 0 ? 3*(UNIT_BITS+2) : 1)-1:0]                  draw_l_i,  // s1.F
-  input  wire [(LIGHT_VECTORS != 0 && LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0] draw_h_i,  // s1.F, H or E
+  input  wire [(L_VECTOR != 0 ? 1 : 3*(UNIT_BITS+2))-1:0]                  draw_l_i,  // s1.F
+  input  wire [(L_VECTOR != 0 || LIGHTING == 0 ? 1 : 3*(UNIT_BITS+2))-1:0] draw_h_i,  // s1.F, H or E
   input  wire                in_valid_i,
   output wire                in_ready_o,
-  input  wire [BUMPED-1:0]   n_i,     // s1.V, with DATAPATH blinn s2.VW
-  input  wire [LVEC-1:0]     l_i,     // s1.V
-  input  wire [HVEC-1:0]     h_i,     // s1.V; E where H is made here
-  input  wire [TAG_BITS-1:0] tag_i,
+  input  wire [(NORMAL != 0 ? NORMAL : 1)-1:0]                      n_i,  // s1.NORMAL_INPUT_BITS
+  input  wire [(L_VECTOR != 0 ? L_VECTOR : 1)-1:0]                  l_i,  // s1.V
+  input  wire [(L_VECTOR != 0 && LIGHTING != 0 ? L_VECTOR : 1)-1:0] h_i,  // s1.V; E where H is made here
+  input  wire [CARRY-1:0]    carry_i,
   output wire                out_valid_o,
   input  wire                out_ready_i,
   output wire [3*(UNIT_BITS+2)-1:0]                       n_o,  // s1.F
   output wire [3*(UNIT_BITS+2)-1:0]                       l_o,
   output wire [(LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0] h_o,
   output wire                zero_o,  // one of them was zero
-  output wire [TAG_BITS-1:0] tag_o,
+  output wire [CARRY-1:0]    carry_o,
   output wire                busy_o
 );
   localparam UNIT      = 3 * (UNIT_BITS + 2);
-  localparam HAS_N     = DATAPATH != 3 ? 1 : 0;
-  localparam HAS_LIGHT = LIGHT_VECTORS == 0 ? 1 : 0;
+  localparam HAS_N     = NORMAL != 0 ? 1 : 0;
+  localparam HAS_LIGHT = L_VECTOR != 0 ? 1 : 0;
   localparam HAS_H     = LIGHTING != 0 ? HAS_LIGHT : 0;
   localparam LATE_H    = LIGHTING == 3 ? 1 : 0;                         // H is made of L and E
   localparam KIND_H    = LATE_H != 0 ? NORMALIZER_L : NORMALIZER_H;     // of what h_i brings
@@ -62,8 +58,7 @@ module wrinkle_separate_units #(
     if (HAS_N != 0) begin : with_n
       wire [UNIT-1:0] n;
       wrinkle_unit_vector #(
-        .NORMALIZER(NORMALIZER_N), .VECTOR_BITS(DATAPATH == 2 ? WIDE_BITS + 1 : VECTOR_BITS), .UNIT_BITS(UNIT_BITS),
-        .RANKS(FIRST)
+        .NORMALIZER(NORMALIZER_N), .VECTOR_BITS(NORMAL_INPUT_BITS), .UNIT_BITS(UNIT_BITS), .RANKS(FIRST)
       ) unit_n (.clk(clk), .advance_i(advance), .vector_i(n_i), .unit_o(n), .zero_o(zero_n));
       wrinkle_delay #(.WIDTH(UNIT), .RANKS(SECOND)) delay_n (
         .clk(clk), .advance_i(advance), .data_i(n), .data_o(n_o));
@@ -110,7 +105,8 @@ module wrinkle_separate_units #(
     end
   endgenerate
 
-  wrinkle_delay #(.WIDTH(TAG_BITS), .RANKS(RANKS)) delay_tag (
-    .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
+  wrinkle_carry #(.BITS(CARRY), .RANKS(RANKS)) carry (
+    .clk(clk), .advance_i(advance), .push_i(1'b0), .write_i(1'b0), .read_i(1'b0), .late_advance_i(1'b0),
+    .data_i(carry_i), .data_o(carry_o));
 endmodule
 `default_nettype wire

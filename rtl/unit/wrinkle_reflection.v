@@ -1,11 +1,11 @@
 `default_nettype none
 // R.E with R the reflection of L about N, without making R: 2 (N.L)(N.E) - L.E, clamped to [0, 1]; zero where the
-// light is not above the surface. N.L and N.E are rounded to s1.F before their product. In the rotated frame
-// N = (0, 0, 1) and they are the z of L and E. Latency 4.
+// light is not above the surface. N.L and N.E are rounded to s1.F before their product. With NORMAL_IS_Z
+// N is (0, 0, 1) and they are the z of L and E. Latency 4.
 module wrinkle_reflection #(
-  parameter DATAPATH  = 1,
-  parameter UNIT_BITS = 9,   // F
-  parameter DOT_BITS  = 10   // DF, at most 2F
+  parameter NORMAL_IS_Z = 0,
+  parameter UNIT_BITS   = 9,   // F
+  parameter DOT_BITS    = 10   // DF, at most 2F
 ) (
   input  wire                       clk,
   input  wire                       advance_i,
@@ -32,7 +32,7 @@ module wrinkle_reflection #(
   wrinkle_dot #(.UNIT_BITS(F)) dot_le (.clk(clk), .advance_i(advance_i), .a_i(l_i), .b_i(e_i), .dot_o(le));
 
   generate
-    if (DATAPATH == 3) begin : rotated
+    if (NORMAL_IS_Z != 0) begin : along_z
       wire [2*W-1:0] z;
       wire signed [W-1:0] lz = z[0 +: W];
       wire unused_n = &{1'b0, n_i};

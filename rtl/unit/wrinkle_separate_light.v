@@ -1,22 +1,23 @@
 `default_nettype none
 // The light stage with a dot product for N.L, another for N.H (or R.E, by wrinkle_reflection) and a squarer for each
-// squaring. In the rotated frame N = (0, 0, 1): its dot products are components of L and H. With NORMALIZE_ORDER after
-// they are of mantissas, and wrinkle_scaled_dot scales them.
-// Latency 2, with DATAPATH rotated 1, with LIGHTING reflection 4, with NORMALIZE_ORDER after 3; SPECULAR_SQUARINGS more
+// squaring. With NORMAL_IS_Z N is (0, 0, 1): its dot products are components of L and H. With NORMALIZE_ORDER after they
+// are of mantissas, and wrinkle_scaled_dot scales them.
+// Latency 2, with NORMAL_IS_Z 1, with LIGHTING reflection 4, with NORMALIZE_ORDER after 3; SPECULAR_SQUARINGS more
 // where there is a highlight, with SELF_SHADOW 1 more.
 module wrinkle_separate_light #(
-  parameter DATAPATH           = 1,
   parameter LIGHTING           = 1,
   parameter NORMALIZE_ORDER    = 0,
   parameter SELF_SHADOW        = 1,
+  parameter NORMAL_IS_Z        = 0,
+  parameter SURFACE_IS_Z       = 1,
   parameter UNIT_BITS          = 9,   // F
   parameter DOT_BITS           = 10,  // DF
   parameter POWER_BITS         = 12,  // PF
   parameter SPECULAR_SQUARINGS = 5,   // K
-  parameter TAG_BITS           = 37,  // what is carried beside
-  // Of the above: bits of N, of the scales.
-  parameter UNIT   = 3*(UNIT_BITS + (NORMALIZE_ORDER != 0 ? 1 : 2)),
-  parameter SCALES = NORMALIZE_ORDER == 0 ? 1 : (LIGHTING != 0 ? 3 : 2) * (UNIT_BITS + (UNIT_BITS == 15 ? 3 : 2))
+  parameter UNIT               = 33,
+  parameter SCALE              = 11,  // bits of a scale
+  parameter SCALES             = 0,   // ... of all of them; 0: none
+  parameter CARRY              = 37
 ) (
   input  wire       clk,
   input  wire       rst,
@@ -29,23 +30,22 @@ module wrinkle_separate_light #(
   input  wire [UNIT-1:0]                                      n_i,         // s1.F, a mantissa s0.F
   input  wire [UNIT-1:0]                                      l_i,
   input  wire [(LIGHTING != 0 ? UNIT : 1)-1:0]                h_i,
-  input  wire [SCALES-1:0]                                    scale_i,     // u1.RB each, of N in the low bits
-  input  wire [TAG_BITS-1:0]                                  tag_i,
+  input  wire [(SCALES != 0 ? SCALES : 1)-1:0]                scale_i,     // u1.RB each, of N in the low bits
+  input  wire [CARRY-1:0]                                  carry_i,
   output wire       out_valid_o,
   input  wire       out_ready_i,
   output wire [DOT_BITS:0]                                    nl_o,        // u1.DF
   output wire [(LIGHTING != 0 ? DOT_BITS : 0):0]              nh_o,        // u1.DF
   output wire [DOT_BITS:0]                                    diffuse_o,   // u1.DF
   output wire [(LIGHTING != 0 ? POWER_BITS : 0):0]            specular_o,  // u1.PF
-  output wire [TAG_BITS-1:0]                                  tag_o,
+  output wire [CARRY-1:0]                                  carry_o,
   output wire       busy_o
 );
   localparam N       = UNIT_BITS + 2;
   localparam K       = LIGHTING != 0 ? SPECULAR_SQUARINGS : 0;
   localparam SHADOW  = SELF_SHADOW != 0 ? 1 : 0;
   localparam AFTER   = NORMALIZE_ORDER != 0 ? 1 : 0;
-  localparam RB      = UNIT_BITS == 15 ? 17 : UNIT_BITS + 1;
-  localparam DOT     = DATAPATH == 3 ? 1 : AFTER != 0 ? 3 : 2;  // latency of a dot product
+  localparam DOT     = NORMAL_IS_Z != 0 ? 1 : AFTER != 0 ? 3 : 2;  // latency of a dot product
   localparam DOTS    = LIGHTING == 2 ? 4 : DOT;       // ... of what goes to the power
   localparam RANKS   = DOTS + K + SHADOW;
 
@@ -58,7 +58,7 @@ module wrinkle_separate_light #(
   assign in_ready_o = advance;
 
   generate
-    if (DATAPATH == 3) begin : rotated
+    if (NORMAL_IS_Z != 0) begin : z_of_l
       wire [DOT_BITS:0] lz;
       wire unused_pins = &{1'b0, n_i, l_i[2*N-1:0]};
       wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
@@ -66,9 +66,9 @@ module wrinkle_separate_light #(
       wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nl (
         .clk(clk), .advance_i(advance), .data_i(lz), .data_o(nl_early));
     end else if (AFTER != 0) begin : deferred
-      wrinkle_scaled_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
-        .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .scale_a_i(scale_i[0 +: RB+1]),
-        .scale_b_i(scale_i[RB+1 +: RB+1]), .dot_o(nl_early));
+      wrinkle_scaled_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS), .SCALE_BITS(SCALE - 1)) dot_nl (
+        .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .scale_a_i(scale_i[0 +: SCALE]),
+        .scale_b_i(scale_i[SCALE +: SCALE]), .dot_o(nl_early));
     end else begin : general
       wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nl (
         .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(l_i), .dot_o(nl_early));
@@ -87,7 +87,7 @@ module wrinkle_separate_light #(
   generate
     if (SHADOW != 0) begin : shadowed
       wire [DOT_BITS:0] source;
-      if (DATAPATH == 1) begin : from_l
+      if (SURFACE_IS_Z != 0) begin : from_l
         wire [DOT_BITS:0] lz, lz_late;
         wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
           .value_i(l_i[2*N +: N]), .clamped_o(lz));
@@ -117,9 +117,9 @@ module wrinkle_separate_light #(
       wire [DOT_BITS:0]   nh;
       wire [POWER_BITS:0] power;
       if (LIGHTING == 2) begin : reflected
-        wrinkle_reflection #(.DATAPATH(DATAPATH), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) reflection (
+        wrinkle_reflection #(.NORMAL_IS_Z(NORMAL_IS_Z), .UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) reflection (
           .clk(clk), .advance_i(advance), .n_i(n_i), .l_i(l_i), .e_i(h_i), .re_o(nh));
-      end else if (DATAPATH == 3) begin : rotated_h
+      end else if (NORMAL_IS_Z != 0) begin : z_of_h
         wire [DOT_BITS:0] hz;
         wire unused_h = &{1'b0, h_i[2*N-1:0]};
         wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (
@@ -127,9 +127,9 @@ module wrinkle_separate_light #(
         wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(DOT)) dot_nh (
           .clk(clk), .advance_i(advance), .data_i(hz), .data_o(nh));
       end else if (AFTER != 0) begin : deferred_h
-        wrinkle_scaled_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nh (
-          .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .scale_a_i(scale_i[0 +: RB+1]),
-          .scale_b_i(scale_i[2*(RB+1) +: RB+1]), .dot_o(nh));
+        wrinkle_scaled_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS), .SCALE_BITS(SCALE - 1)) dot_nh (
+          .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .scale_a_i(scale_i[0 +: SCALE]),
+          .scale_b_i(scale_i[2*SCALE +: SCALE]), .dot_o(nh));
       end else begin : general_h
         wrinkle_clamped_dot #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) dot_nh (
           .clk(clk), .advance_i(advance), .a_i(n_i), .b_i(h_i), .dot_o(nh));
@@ -160,7 +160,8 @@ module wrinkle_separate_light #(
 
   wrinkle_delay #(.WIDTH(DOT_BITS + 1), .RANKS(SHADOW)) delay_nl_out (
     .clk(clk), .advance_i(advance), .data_i(nl), .data_o(nl_o));
-  wrinkle_delay #(.WIDTH(TAG_BITS), .RANKS(RANKS)) delay_tag (
-    .clk(clk), .advance_i(advance), .data_i(tag_i), .data_o(tag_o));
+  wrinkle_carry #(.BITS(CARRY), .RANKS(RANKS)) carry (
+    .clk(clk), .advance_i(advance), .push_i(1'b0), .write_i(1'b0), .read_i(1'b0), .late_advance_i(1'b0),
+    .data_i(carry_i), .data_o(carry_o));
 endmodule
 `default_nettype wire

@@ -11,7 +11,8 @@ module wrinkle_scan #(
   parameter SHARING       = 0,
   parameter BUFFERING     = 0,
   parameter SCREEN_BITS   = 10,
-  parameter SUBPIXEL_BITS = 8
+  parameter SUBPIXEL_BITS = 8,
+  parameter WORDS         = 5   // of the scan part of a packet
 ) (
   input  wire                   clk,
   input  wire                   rst,
@@ -35,7 +36,6 @@ module wrinkle_scan #(
   localparam EDGE_BITS = SCREEN_BITS + SUBPIXEL_BITS + 2;
   localparam FIELDS    = 2 * (X + 2) + 3 * EDGE_BITS + 1;  // of one edge
   localparam EDGES_AT  = 5 + X + 2 * (X + 1);
-  localparam WORDS     = (EDGES_AT + 3 * FIELDS + 63) / 64;
 
   wire [64*WORDS-1:0] packet;
   wrinkle_shadow_words #(.WORDS(WORDS)) shadow (.clk(clk), .shift_i(shift_i), .word_i(word_i), .words_o(packet));

@@ -1,16 +1,15 @@
 `default_nettype none
-// The light stage with one dot product in turn: N.H in the clock in which a fragment is taken, N.L in the next, and the
-// power by SQUARERS = ceil(K/3) squarers in a row, used up to three times. n_i holds for the clock after the transfer
-// and l_i too, as wrinkle_shared_units does it. A fragment in three clocks. Latency 3; 4 with SELF_SHADOW, or where the
-// squarers are used a third time.
+// The light stage with one dot product in turn: N.H in the clock in which it finds a fragment, N.L in the next, in which
+// it takes it, and the power by SQUARERS = ceil(K/3) squarers in a row, used up to three times. A fragment in three
+// clocks. Latency 2 from the transfer; 3 with SELF_SHADOW, or where the squarers are used a third time.
 module wrinkle_shared_light #(
-  parameter DATAPATH           = 1,
+  parameter SURFACE_IS_Z       = 1,
   parameter SELF_SHADOW        = 1,
   parameter UNIT_BITS          = 9,   // F
   parameter DOT_BITS           = 10,  // DF
   parameter POWER_BITS         = 12,  // PF
   parameter SPECULAR_SQUARINGS = 5,   // K
-  parameter TAG_BITS           = 37   // what is carried beside
+  parameter CARRY              = 37
 ) (
   input  wire                       clk,
   input  wire                       rst,
@@ -23,14 +22,14 @@ module wrinkle_shared_light #(
   input  wire [3*(UNIT_BITS+2)-1:0] n_i,         // s1.F
   input  wire [3*(UNIT_BITS+2)-1:0] l_i,
   input  wire [3*(UNIT_BITS+2)-1:0] h_i,
-  input  wire [TAG_BITS-1:0]        tag_i,
+  input  wire [CARRY-1:0]           carry_i,
   output wire                       out_valid_o,
   input  wire                       out_ready_i,
   output wire [DOT_BITS:0]          nl_o,        // u1.DF
   output wire [DOT_BITS:0]          nh_o,        // u1.DF
   output wire [DOT_BITS:0]          diffuse_o,   // u1.DF
   output wire [POWER_BITS:0]        specular_o,  // u1.PF
-  output wire [TAG_BITS-1:0]        tag_o,
+  output wire [CARRY-1:0]           carry_o,
   output wire                       busy_o
 );
   localparam W        = UNIT_BITS + 2;
@@ -44,11 +43,11 @@ module wrinkle_shared_light #(
   localparam THIRD    = K > 2 * SQUARERS ? 1 : 0;
   localparam LATE     = SELF_SHADOW != 0 || THIRD != 0 ? 1 : 0;  // a rank more, at the output
 
-  // A fragment is in its second clock, in its third, or done but for the rank at the output.
+  // A fragment is found at the input; it is in its second clock, in its third, or done but for the rank at the output.
   reg  second_q, third_q, done_q;
   wire done_taken;
   wire first = ~second_q & ~third_q & (~done_q | done_taken);
-  assign in_ready_o = first;
+  assign in_ready_o = second_q;
   always @(posedge clk)
     if (rst) {second_q, third_q, done_q} <= 3'b000;
     else {second_q, third_q, done_q} <= {first & in_valid_i, second_q, third_q | (done_q & ~done_taken)};
@@ -94,10 +93,13 @@ module wrinkle_shared_light #(
     end
   endgenerate
 
-  reg [DOT_BITS:0]     nl_q, nh_q;
-  reg [TAG_BITS-1:0]   tag_q;
+  reg [DOT_BITS:0] nl_q, nh_q;
+  wire [CARRY-1:0] carried;
+  wrinkle_carry #(.BITS(CARRY), .RANKS(1)) carry (
+    .clk(clk), .advance_i(second_q), .push_i(1'b0), .write_i(1'b0), .read_i(1'b0), .late_advance_i(1'b0),
+    .data_i(carry_i), .data_o(carried));
   always @(posedge clk) begin
-    if (first) {nh_q, tag_q} <= {dot, tag_i};
+    if (first) nh_q <= dot;
     if (second_q) nl_q <= dot;
     if (first) power_q <= {dot, {(POWER_BITS - DOT_BITS){1'b0}}};
     else if (second_q | third_q) power_q <= power;
@@ -116,12 +118,11 @@ module wrinkle_shared_light #(
       assign nh_o        = nh_q;
       assign diffuse_o   = nl_q;
       assign specular_o  = raised;
-      assign tag_o       = tag_q;
+      assign carry_o     = carried;
     end else begin : late
       reg                valid_q;
       reg [DOT_BITS:0]   nl_out_q, nh_out_q;
       reg [POWER_BITS:0] specular_q;
-      reg [TAG_BITS-1:0] tag_out_q;
       wire [POWER_BITS:0] specular;
       assign done_taken  = out_ready_i | ~valid_q;
       assign out_valid_o = valid_q;
@@ -129,18 +130,20 @@ module wrinkle_shared_light #(
       assign nl_o        = nl_out_q;
       assign nh_o        = nh_out_q;
       assign specular_o  = specular_q;
-      assign tag_o       = tag_out_q;
       always @(posedge clk)
         if (rst) valid_q <= 1'b0;
         else if (done_taken) valid_q <= done_q;
       always @(posedge clk)
-        if (done_taken) {nl_out_q, nh_out_q, specular_q, tag_out_q} <= {nl_q, nh_q, specular, tag_q};
+        if (done_taken) {nl_out_q, nh_out_q, specular_q} <= {nl_q, nh_q, specular};
+      wrinkle_carry #(.BITS(CARRY), .RANKS(1)) late_carry (
+        .clk(clk), .advance_i(done_taken), .push_i(1'b0), .write_i(1'b0), .read_i(1'b0), .late_advance_i(1'b0),
+        .data_i(carried), .data_o(carry_o));
 
       if (SELF_SHADOW != 0) begin : shadowed
         wire [DOT_BITS:0]   source, factor, diffuse;
         wire [POWER_BITS:0] scaled;
         reg [DOT_BITS:0]    diffuse_q;
-        if (DATAPATH == 1) begin : from_l
+        if (SURFACE_IS_Z != 0) begin : from_l
           wire [DOT_BITS:0] lz;
           reg [DOT_BITS:0]  lz_q;
           wrinkle_clamped #(.UNIT_BITS(UNIT_BITS), .DOT_BITS(DOT_BITS)) clamp (

@@ -5,28 +5,15 @@
 // the planes of a triangle go to the interpolators themselves, and wait until the walk of the one before has ended. A
 // word that is no opcode is skipped. Latency 1 into the shadow registers. Does not look at any field of a triangle.
 module wrinkle_packet #(
-  parameter DATAPATH        = 1,
-  parameter CROSS_PRODUCTS  = 0,
-  parameter LIGHT_VECTORS   = 0,
-  parameter LIGHTING        = 1,
-  parameter FILTER          = 2,
-  parameter PERSPECTIVE     = 0,
-  parameter DEPTH           = 1,
-  parameter DECAL           = 0,
-  parameter BUFFERING       = 0,
-  parameter CHANNELS        = 1,
-  parameter SCREEN_BITS     = 10,
-  parameter SUBPIXEL_BITS   = 8,
-  parameter GUARD_BITS      = 10,
-  parameter VECTOR_BITS     = 9,
-  parameter WIDE_BITS       = 16,
-  parameter UV_INTEGER_BITS = 4,
-  parameter UV_BITS         = 18,
-  parameter Q_BITS          = 18,
-  parameter LOD_BITS        = 5,
-  parameter UNIT_BITS       = 9,
-  parameter COLOUR_BITS     = 8,
-  parameter DEPTH_BITS      = 20
+  parameter SCAN_WORDS  = 5,   // of a triangle packet, its opcode among them
+  parameter PLANE_WORDS = 16,
+  parameter DRAW_WORDS  = 4,   // of a draw packet
+  parameter BUFFERING   = 0,
+  parameter TEXTURED    = 1,   // the draw state has a texture
+  parameter GLOSSY      = 1,   // ... and a highlight
+  parameter CONSTANT    = 0,   // bits of its constant light vectors; 0: none
+  parameter COUNT       = 3,   // colour channels
+  parameter COLOUR_BITS = 8    // C
 ) (
   input  wire        clk,
   input  wire        rst,
@@ -52,35 +39,23 @@ module wrinkle_packet #(
   output wire [3:0]  draw_max_level_o,
   output wire [11:0] draw_texture_o,
   output wire [3:0]  draw_squarings_o,
-  output wire [(CHANNELS != 0 ? 3 : 1)*(COLOUR_BITS+1)-1:0] draw_ambient_o,   // u1.C, red in the low bits
-  output wire [(CHANNELS != 0 ? 3 : 1)*(COLOUR_BITS+1)-1:0] draw_diffuse_o,
-  output wire [(CHANNELS != 0 ? 3 : 1)*(COLOUR_BITS+1)-1:0] draw_specular_o,
-  output wire [(LIGHT_VECTORS != 0 ? 3*(UNIT_BITS+2) : 1)-1:0] draw_l_o,       // s1.F, x in the low bits
-  output wire [(LIGHT_VECTORS != 0 && LIGHTING != 0 ? 3*(UNIT_BITS+2) : 1)-1:0] draw_h_o,  // s1.F, H or E
+  output wire [COUNT*(COLOUR_BITS+1)-1:0] draw_ambient_o,   // u1.C, red in the low bits
+  output wire [COUNT*(COLOUR_BITS+1)-1:0] draw_diffuse_o,
+  output wire [COUNT*(COLOUR_BITS+1)-1:0] draw_specular_o,
+  output wire [(CONSTANT != 0 ? CONSTANT : 1)-1:0] draw_l_o,                   // s1.F, x in the low bits
+  output wire [(CONSTANT != 0 && GLOSSY != 0 ? CONSTANT : 1)-1:0] draw_h_o,    // s1.F, H or E
   output wire        busy_o
 );
-  localparam TEXTURE    = DATAPATH == 1 || DATAPATH == 2 || DECAL != 0 ? 1 : 0;
-  localparam DIVIDE     = TEXTURE != 0 && PERSPECTIVE != 0 ? 1 : 0;
-  localparam LB         = FILTER == 2 ? LOD_BITS : 0;
-  localparam EDGE_BITS  = SCREEN_BITS + SUBPIXEL_BITS + 2;
-  localparam SCAN_BITS  = 5 + SCREEN_BITS + 2 * (SCREEN_BITS + 1) + 3 * (2 * (SCREEN_BITS + 2) + 3 * EDGE_BITS + 1);
-  localparam HELD       = DATAPATH == 2 && CROSS_PRODUCTS != 0 ? 6 : 0;
-  localparam PRODUCTS   = DATAPATH == 2 ? 9 - HELD : 0;
-  localparam VECTORS    = (DATAPATH < 2 ? 3 : 0) + (LIGHT_VECTORS != 0 ? 0 : LIGHTING != 0 ? 6 : 3);
-  localparam PLANES     = VECTORS + PRODUCTS + (TEXTURE != 0 ? 2 : 0) + (DIVIDE != 0 ? 2 : 0) + (DEPTH != 0 ? 1 : 0);
-  localparam PLANE_BITS = 3 * (PLANES * GUARD_BITS + VECTORS * (VECTOR_BITS + 2) + PRODUCTS * (WIDE_BITS + 2) +
-                               (TEXTURE != 0 ? 2 * (UV_INTEGER_BITS + UV_BITS) : 0) +
-                               (DIVIDE != 0 ? Q_BITS + 6 + LB : 0) + (DEPTH != 0 ? DEPTH_BITS : 0)) +
-                          HELD * (WIDE_BITS + 2) + (TEXTURE != 0 && DIVIDE == 0 ? 4 + LB : 0);
-  localparam SCAN_WORDS  = (SCAN_BITS + 63) / 64;
-  localparam PLANE_WORDS = (PLANE_BITS + 63) / 64;
-  localparam [31:0] LAST_SCAN_INDEX = SCAN_WORDS - 1;
-  localparam [31:0] LAST_INDEX      = SCAN_WORDS + PLANE_WORDS - 1;
-  localparam [5:0] LAST_SCAN = LAST_SCAN_INDEX[5:0];
-  localparam [5:0] LAST_WORD = LAST_INDEX[5:0];
-  localparam [5:0] LAST_DRAW = LIGHT_VECTORS != 0 ? 6'd5 : 6'd3;
-  localparam COUNT = CHANNELS != 0 ? 3 : 1;
-  localparam C1    = COLOUR_BITS + 1;
+  // The index counts the words of either packet.
+  localparam INDEX = $clog2(SCAN_WORDS + PLANE_WORDS > DRAW_WORDS ? SCAN_WORDS + PLANE_WORDS : DRAW_WORDS);
+  localparam [31:0] LAST_OF_SCAN     = SCAN_WORDS - 1;
+  localparam [31:0] LAST_OF_TRIANGLE = SCAN_WORDS + PLANE_WORDS - 1;
+  localparam [31:0] LAST_OF_DRAW     = DRAW_WORDS - 1;
+  localparam [INDEX-1:0] LAST_SCAN = LAST_OF_SCAN[INDEX-1:0];
+  localparam [INDEX-1:0] LAST_WORD = LAST_OF_TRIANGLE[INDEX-1:0];
+  localparam [INDEX-1:0] LAST_DRAW = LAST_OF_DRAW[INDEX-1:0];
+  localparam [INDEX-1:0] FIRST     = 1;
+  localparam C1 = COLOUR_BITS + 1;
 
   wire        load, spare, word_valid, word_ready;
   wire [63:0] word;
@@ -92,8 +67,8 @@ module wrinkle_packet #(
 
   // What the next word is: an opcode, or one of a draw or of a triangle, and which.
   wire unused_walking = walking_i;
-  reg       in_draw_q, in_triangle_q, loaded_q;
-  reg [5:0] index_q;
+  reg             in_draw_q, in_triangle_q, loaded_q;
+  reg [INDEX-1:0] index_q;
 
   wire opcode      = ~in_draw_q & ~in_triangle_q;
   wire is_draw     = opcode & word[3:0] == 4'd1;
@@ -116,21 +91,21 @@ module wrinkle_packet #(
       in_draw_q     <= 1'b0;
       in_triangle_q <= 1'b0;
       loaded_q      <= 1'b0;
-      index_q       <= 6'd0;
+      index_q       <= {INDEX{1'b0}};
     end else begin
       if (triangle_take_i) loaded_q <= 1'b0;
       if (take) begin
         in_draw_q     <= is_draw | (in_draw_q & index_q != LAST_DRAW);
         in_triangle_q <= is_triangle | (in_triangle_q & index_q != LAST_WORD);
-        index_q       <= opcode ? 6'd1 : index_q + 6'd1;
+        index_q       <= opcode ? FIRST : index_q + FIRST;
         if (in_triangle_q & index_q == LAST_WORD) loaded_q <= 1'b1;
       end
     end
 
   // Draw state: only what the configuration has.
   wire take_flags    = take & is_draw;
-  wire take_ambient  = take & in_draw_q & index_q == 6'd1;
-  wire take_diffuse  = take & in_draw_q & index_q == 6'd2;
+  wire take_ambient  = take & in_draw_q & index_q == 1;
+  wire take_diffuse  = take & in_draw_q & index_q == 2;
 
   reg [COUNT*C1-1:0] ambient_q, diffuse_q;
   reg                shadow_q;
@@ -153,7 +128,7 @@ module wrinkle_packet #(
   end
 
   generate
-    if (LIGHTING != 0) begin : with_specular
+    if (GLOSSY != 0) begin : with_specular
       reg [COUNT*C1-1:0] specular_q;
       reg                exponent_zero_q;
       reg [3:0]          squarings_q;
@@ -162,22 +137,21 @@ module wrinkle_packet #(
       assign draw_squarings_o     = squarings_q;
       always @(posedge clk) begin
         if (take_flags) {squarings_q, exponent_zero_q} <= {word[39:36], word[7]};
-        if (take & in_draw_q & index_q == 6'd3) specular_q <= colour;
+        if (take & in_draw_q & index_q == 3) specular_q <= colour;
       end
     end else begin : without_specular
       assign draw_specular_o      = {COUNT*C1{1'b0}};
       assign draw_exponent_zero_o = 1'b0;
       assign draw_squarings_o     = 4'd0;
     end
-    if (LIGHT_VECTORS != 0) begin : with_light_vectors
-      localparam UNIT = 3 * (UNIT_BITS + 2);
-      reg [UNIT-1:0] l_q;
+    if (CONSTANT != 0) begin : with_light_vectors
+      reg [CONSTANT-1:0] l_q;
       assign draw_l_o = l_q;
-      always @(posedge clk) if (take & in_draw_q & index_q == 6'd4) l_q <= word[UNIT-1:0];
-      if (LIGHTING != 0) begin : with_h
-        reg [UNIT-1:0] h_q;
+      always @(posedge clk) if (take & in_draw_q & index_q == 4) l_q <= word[CONSTANT-1:0];
+      if (GLOSSY != 0) begin : with_h
+        reg [CONSTANT-1:0] h_q;
         assign draw_h_o = h_q;
-        always @(posedge clk) if (take & in_draw_q & index_q == 6'd5) h_q <= word[UNIT-1:0];
+        always @(posedge clk) if (take & in_draw_q & index_q == 5) h_q <= word[CONSTANT-1:0];
       end else begin : without_h
         assign draw_h_o = 1'b0;
       end
@@ -185,7 +159,7 @@ module wrinkle_packet #(
       assign draw_l_o = 1'b0;
       assign draw_h_o = 1'b0;
     end
-    if (TEXTURE != 0) begin : with_texture
+    if (TEXTURED != 0) begin : with_texture
       reg [27:0] texture_q;
       reg        bump_q, textured_q;
       assign {draw_texture_o, draw_max_level_o, draw_log2_height_o, draw_log2_width_o} = texture_q[27:4];

@@ -3,9 +3,9 @@
 //   base   = (A << DF) + D * diffuse;  with decal base = round_half_up(base * (decal + (decal >> (T-1))), T)
 //   sum    = (base << (PF - DF)) + S * specular
 //   colour = saturate(round_half_up(sum * (2^C - 1), C + PF))
-// Without halfangle lighting PF is taken as DF, which changes no bit. Latency 3, with decal 4.
+// Without a highlight PF is taken as DF, which changes no bit. Latency 3, with decal 4.
 module wrinkle_shade #(
-  parameter LIGHTING    = 1,
+  parameter GLOSSY      = 1,
   parameter DECAL       = 0,
   parameter TEXEL_BITS  = 8,   // T
   parameter DOT_BITS    = 10,  // DF
@@ -18,12 +18,12 @@ module wrinkle_shade #(
   input  wire [COLOUR_BITS:0]   diffuse_colour_i,
   input  wire [COLOUR_BITS:0]   specular_colour_i,
   input  wire [DOT_BITS:0]      diffuse_i,   // u1.DF
-  input  wire [(LIGHTING != 0 ? POWER_BITS : 0):0]  specular_i,  // u1.PF
+  input  wire [(GLOSSY != 0 ? POWER_BITS : 0):0]  specular_i,  // u1.PF
   input  wire [(DECAL != 0 ? TEXEL_BITS : 1)-1:0]   decal_i,     // u0.T
   output wire [COLOUR_BITS-1:0] colour_o
 );
   localparam C    = COLOUR_BITS;
-  localparam PF   = LIGHTING != 0 ? POWER_BITS : DOT_BITS;
+  localparam PF   = GLOSSY != 0 ? POWER_BITS : DOT_BITS;
   localparam BASE = C + DOT_BITS + 3;
   localparam SUM  = C + PF + 4;
 
@@ -60,7 +60,7 @@ module wrinkle_shade #(
   // Specular.
   reg [SUM-1:0] sum_q;
   generate
-    if (LIGHTING != 0) begin : glossy
+    if (GLOSSY != 0) begin : glossy
       wire [C+PF+1:0] product, late;
       wrinkle_multiply_unsigned #(.A_BITS(C + 1), .B_BITS(PF + 1)) multiply_specular (
         .a_i(specular_colour_i), .b_i(specular_i), .product_o(product));
