@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "sim/config_file.h"
@@ -95,7 +96,9 @@ Scene scene_named(const std::string& name_or_path, const SceneOverrides& overrid
   Notes notes;
   Scene scene = read_scene(name_or_path, &notes);
   apply_overrides(overrides, scene, notes);
-  for (const std::string& note : notes) say(note);
+  constexpr std::size_t kShown = 40;
+  for (std::size_t i = 0; i < std::min(notes.size(), kShown); ++i) say(notes[i]);
+  if (notes.size() > kShown) say(fmt::format("{}: and {} more notes", name_or_path, notes.size() - kShown));
   return scene;
 }
 

@@ -47,14 +47,14 @@ std::vector<std::pair<std::string, int>> derived(const Config& config) {
 
 // What goes between wrinkle_core and the name of an instance.
 std::string verilog(const Config& config) {
-  std::string text = "#(\n";
+  std::vector<std::string> connections;
   for (const Parameter& parameter : parameters()) {
+    if (parameter.member == &Config::block_exponent) continue;  // of set-up alone
     std::string name(parameter.name);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::toupper(c)); });
-    const bool last = &parameter == &parameters().back();
-    text += fmt::format("    .{}({}){}\n", name, config.*parameter.member, last ? "" : ",");
+    connections.push_back(fmt::format("    .{}({})", name, config.*parameter.member));
   }
-  return text + ")";
+  return fmt::format("#(\n{}\n)", fmt::join(connections, ",\n"));
 }
 
 void print_table(const Config& config) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "wrinkle: {}\n", error.what());
   } catch (const wrinkle::ModelBuildError& error) {
     fmt::print(stderr, "wrinkle: the model could not be built\n{}\n", error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr,
+               "wrinkle: {}: {}; what is built is kept in the build folder, or in the one that WRINKLE_CACHE names\n",
+               error.path1().string(), error.code().message());
   } catch (const std::exception& error) {
     fmt::print(stderr, "wrinkle: {}\n", error.what());
   }

@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -74,10 +76,11 @@ std::string encode_png(const Picture& image) {
 
 void write_text(const fs::path& path, const std::string& text) {
   write_whole(path, [&](const fs::path& temporary) {
+    errno = 0;
     std::ofstream file(temporary, std::ios::binary);
     file << text;
     file.close();
-    if (!file) throw InputError(Place{path.string()}, "cannot be written");
+    if (!file) throw InputError(Place{path.string()}, std::string("cannot be written: ") + std::strerror(errno));
   });
 }
 

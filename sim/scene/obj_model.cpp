@@ -308,14 +308,20 @@ class ObjReader {
   // Which of the libraries' materials each name is; those that none has are noted.
   void find_materials() {
     library_ = read_libraries(obj_, path_.parent_path(), notes_);
+    std::vector<const ObjName*> missing;
     for (const ObjName& used : obj_.materials) {
       const auto found = std::ranges::find_if(library_, [&](const MtlMaterial& m) { return m.name == used.name; });
       material_of_.push_back(found == library_.end() ? -1 : static_cast<int>(found - library_.begin()));
-      if (found == library_.end()) {
-        notes_.push_back(used.place.text() + ": no material \"" + shortened(used.name) +
-                         "\" in the libraries; drawn with the default");
-      }
+      if (found == library_.end()) missing.push_back(&used);
     }
+    if (missing.empty()) return;
+    constexpr std::size_t kShown = 8;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(missing.size(), kShown); ++i) {
+      names += (i > 0 ? ", \"" : "\"") + shortened(missing[i]->name) + "\"";
+    }
+    if (missing.size() > kShown) names += " and " + std::to_string(missing.size() - kShown) + " more";
+    notes_.push_back(missing[0]->place.text() + ": no material " + names + " in the libraries; drawn with the default");
   }
   int material_of(const ObjFace& face) const {
     return face.material < 0 ? -1 : material_of_[static_cast<std::size_t>(face.material)];

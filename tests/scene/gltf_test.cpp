@@ -384,9 +384,10 @@ TEST(Gltf, ByteOrderMarksAndIntegersWithAPoint) {
   const Folder folder;
   folder.write("square.bin", buffer());
   std::string text = square().dump();
-  const std::string count = "\"count\":4";
-  for (std::size_t at = 0; (at = text.find(count, at)) != std::string::npos;)
-    text.replace(at, count.size(), "\"count\":4.0");
+  const std::string count = "\"count\":4", with_point = count + ".0";
+  for (std::size_t at = 0; (at = text.find(count, at)) != std::string::npos; at += with_point.size()) {
+    text.replace(at, count.size(), with_point);
+  }
   const Scene scene = read_scene(folder.write("a.gltf", "\xef\xbb\xbf" + text));
   EXPECT_EQ(scene.objects.at(0).mesh.vertices.size(), 4U);
   EXPECT_EQ(read_scene(folder.write("b.glb", binary(embedded(), buffer()))).objects.size(), 1U);
@@ -555,7 +556,7 @@ TEST(Gltf, ColoursOfVerticesMultiplyTheMaterial) {
   EXPECT_NEAR(scene.objects[0].material.diffuse.x, 0.7, 1e-12);
   EXPECT_EQ(scene.objects[0].material.diffuse.y, 0);
   EXPECT_NEAR(scene.objects[0].material.diffuse.z, 0.14, 1e-12);
-  bytes[at] = 0;
+  bytes[at + 4] = 0;  // of the first triangle alone
   EXPECT_EQ(read_scene(write(folder, model, bytes), &notes).objects.size(), 2U);
   EXPECT_TRUE(holds(notes, "vertex colours are not interpolated"));
 }
