@@ -124,7 +124,9 @@ void with_objects_named(const Config& config, const Scene& scene, const Frame& f
       build_packets(config, one);
     } catch (const std::exception&) {
       const bool uv = cause.find("uv_integer_bits") != std::string::npos;
-      throw InputError(Place{scene.name, 0, 0, "object \"" + scene.objects[i].name + "\""},
+      const std::string& name = scene.objects[i].name;
+      const std::string which = name.empty() ? "number " + std::to_string(i + 1) : "\"" + name + "\"";
+      throw InputError(Place{scene.name, 0, 0, "object " + which},
                        cause + (uv ? "; raise it with --set uv_integer_bits=N, N up to 10, or divide the triangles of "
                                      "the mesh"
                                    : ""));

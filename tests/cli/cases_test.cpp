@@ -255,7 +255,7 @@ TEST_F(Cases, RepeatsPerTriangle) {
   auto said = draw("48-repeats-per-triangle");
   EXPECT_EQ(said["cut"].exit_code, 0);
   EXPECT_EQ(said["tiled"].exit_code, 2);
-  EXPECT_THAT(said["tiled"].output, AllOf(HasSubstr("object \""), HasSubstr("--set uv_integer_bits")));
+  EXPECT_THAT(said["tiled"].output, AllOf(HasSubstr("object number 1"), HasSubstr("--set uv_integer_bits")));
 }
 
 TEST_F(Cases, FanOf20000) {
