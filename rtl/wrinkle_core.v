@@ -211,7 +211,7 @@ module wrinkle_core #(
     .bus_i(perturb_others), .field_o(perturb_h));
 
   // normalize
-  wire normalize_valid, normalize_ready, normalize_zero;
+  wire normalize_valid, normalize_ready, normalize_zero, normalize_ahead;
   wire [UNIT-1:0]                         normalize_n, normalize_l;
   wire [(GLOSSY != 0 ? UNIT : 1)-1:0]     normalize_h;
   wire [(SCALES != 0 ? SCALES : 1)-1:0]   normalize_scale;
@@ -226,8 +226,8 @@ module wrinkle_core #(
     .clk(clk), .rst(rst), .draw_l_i(draw_l), .draw_h_i(draw_h), .in_valid_i(perturb_valid), .in_ready_o(perturb_ready),
     .n_i(perturb_n), .l_i(perturb_l), .h_i(perturb_h), .carry_i(perturb_others[NORMALIZE_CARRY-1:0]),
     .out_valid_o(normalize_valid), .out_ready_i(normalize_ready), .n_o(normalize_n), .l_o(normalize_l),
-    .h_o(normalize_h), .scale_o(normalize_scale), .zero_o(normalize_zero), .carry_o(normalize_others),
-    .busy_o(normalize_busy));
+    .h_o(normalize_h), .scale_o(normalize_scale), .zero_o(normalize_zero), .ahead_o(normalize_ahead),
+    .carry_o(normalize_others), .busy_o(normalize_busy));
 
   // light
   wire light_valid, light_ready;
@@ -246,10 +246,10 @@ module wrinkle_core #(
   ) light (
     .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .draw_shadow_i(draw_shadow),
     .draw_exponent_zero_i(draw_exponent_zero), .draw_squarings_i(draw_squarings), .in_valid_i(normalize_valid),
-    .in_ready_o(normalize_ready), .n_i(normalize_n), .l_i(normalize_l), .h_i(normalize_h), .scale_i(normalize_scale),
-    .carry_i({normalize_zero, normalize_others}), .out_valid_o(light_valid), .out_ready_i(light_ready),
-    .nl_o(light_nl), .nh_o(light_nh), .diffuse_o(light_diffuse), .specular_o(light_specular),
-    .carry_o(light_others), .busy_o(light_busy));
+    .in_ready_o(normalize_ready), .ahead_i(normalize_ahead), .n_i(normalize_n), .l_i(normalize_l), .h_i(normalize_h),
+    .scale_i(normalize_scale), .carry_i({normalize_zero, normalize_others}), .out_valid_o(light_valid),
+    .out_ready_i(light_ready), .nl_o(light_nl), .nh_o(light_nh), .diffuse_o(light_diffuse),
+    .specular_o(light_specular), .carry_o(light_others), .busy_o(light_busy));
 
   wrinkle_field #(.BITS(LIGHT_CARRY), .AT(TAG), .WIDTH(DECALS)) field_light_decal (
     .bus_i(light_others), .field_o(light_decal));

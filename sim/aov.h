@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/exact/exact.h"
 #include "golden/pixel/pixel.h"
 

@@ -24,6 +24,7 @@ struct Options {
   std::vector<std::string> set, stages;
   bool figures = false, normalizers = false, fpga = false, place = false, no_flat = false, quick = false, check = false,
        keep = false, plain_adders = false, shading = false;
+  int faults = 0;
   std::filesystem::path json;
 };
 
@@ -36,26 +37,27 @@ AreaOptions area_options(const Options& options) {
   area.stages = options.stages;
   area.synthesis.effort = options.effort;
   area.synthesis.full_adders = !options.plain_adders;
+  area.synthesis.faults = options.faults;
   if (isatty(STDERR_FILENO)) area.progress = say;
   return area;
 }
 
-constexpr const char* kRow = "{:<22} {:>12.0f} {:>10.1f} {:>8} {:>9.2f}  {}\n";
+constexpr const char* kRow = "{:<22} {:>12.0f} {:>10.1f} {:>8} {:>9.2f} {:>7}  {}\n";
 
 void print_report(const AreaReport& report) {
-  fmt::print("{} in {}\n{:<22} {:>12} {:>10} {:>8} {:>9}  multipliers\n", report.name, report.library, "stage", "um^2",
-             "NAND2", "FFs", "path ns");
+  fmt::print("{} in {}\n{:<22} {:>12} {:>10} {:>8} {:>9} {:>7}  multipliers\n", report.name, report.library, "stage",
+             "um^2", "NAND2", "FFs", "path ns", "equal");
   for (const StageArea& stage : report.stages) {
     const SynthesisResult& r = stage.result;
     fmt::print(kRow, stage.stage + (stage.given ? " (given)" : ""), r.um2, r.nand2, r.flip_flops, r.critical_path_ns,
-               multiplier_text(r.multipliers));
+               r.checked.clocks, multiplier_text(r.multipliers));
   }
   const nlohmann::json whole = to_json(report);
   fmt::print(kRow, "sum", report.sum_um2(), report.sum_nand2(), report.flip_flops(),
-             whole["critical_path_ns"].get<double>(), "");
+             whole["critical_path_ns"].get<double>(), report.clocks_equal(), "");
   if (!report.flat.cells.empty())
     fmt::print(kRow, "flat", report.flat.um2, report.flat.nand2, report.flat.flip_flops, report.flat.critical_path_ns,
-               fmt::format("sum of stages {:+.2f} %", 100 * report.deviation()));
+               report.flat.checked.clocks, fmt::format("sum of stages {:+.2f} %", 100 * report.deviation()));
 }
 
 void add_by_name(FiguresByName& figures, const std::string& name, const SynthesisResult& result) {
@@ -109,12 +111,12 @@ const std::map<int, int> kNormalizerGoals{{8, 3300}, {10, 4800}, {12, 6100}, {16
 int run_normalizers(const Options& options) {
   const std::vector<NormalizerArea> areas = measure_normalizers({8, 9, 10, 12, 16}, area_options(options));
   nlohmann::json json{{"library", options.library}, {"normalizers", nlohmann::json::array()}};
-  fmt::print("logic of one normalizer in {}, without registers, V = F\n{:<10} {:>3} {:>10} {:>12} {:>9}  {}\n",
-             options.library, "kind", "F", "NAND2", "um^2", "path ns", "goal");
+  fmt::print("logic of one normalizer in {}, without registers, V = F\n{:<10} {:>3} {:>10} {:>12} {:>9} {:>7}  {}\n",
+             options.library, "kind", "F", "NAND2", "um^2", "path ns", "equal", "goal");
   for (const NormalizerArea& area : areas) {
     const auto goal = kNormalizerGoals.find(area.unit_bits);
-    fmt::print("{:<10} {:>3} {:>10.1f} {:>12.0f} {:>9.2f}  {}\n", normalizer_name(area.kind), area.unit_bits,
-               area.result.nand2, area.result.um2, area.result.critical_path_ns,
+    fmt::print("{:<10} {:>3} {:>10.1f} {:>12.0f} {:>9.2f} {:>7}  {}\n", normalizer_name(area.kind), area.unit_bits,
+               area.result.nand2, area.result.um2, area.result.critical_path_ns, area.result.checked.clocks,
                goal == kNormalizerGoals.end() || area.kind == Normalizer::kLite ? "" : std::to_string(goal->second));
     json["normalizers"].push_back(to_json(area));
   }
@@ -122,7 +124,19 @@ int run_normalizers(const Options& options) {
   return kExitEqual;
 }
 
-int area(const Options& options) {
+// Of faults put into each netlist, those that the words of its check find.
+void print_faults(const AreaReport& report) {
+  fmt::print("{:<22} {:>8} {:>8} {:>22} {:>22}\n", "stage", "faults", "found", "registers that changed",
+             "outputs that changed");
+  for (const StageArea& stage : report.stages) {
+    const NetlistChecked& c = stage.result.checked;
+    fmt::print("{:<22} {:>8} {:>8} {:>22} {:>22}\n", stage.stage, c.faults, c.faults_found,
+               fmt::format("{} of {}", c.registers_changed, c.registers),
+               fmt::format("{} of {}", c.outputs_changed, c.outputs));
+  }
+}
+
+int measure(const Options& options) {
   if (options.normalizers) return run_normalizers(options);
   if (options.figures || options.quick || options.check || options.keep) return run_figures(options);
   const Config config = apply_overrides(load_config(options.name), options.set);
@@ -134,10 +148,21 @@ int area(const Options& options) {
   }
   const AreaReport report = measure_area(options.name, config, area_options(options));
   print_report(report);
+  if (options.faults > 0) print_faults(report);
   nlohmann::json json = to_json(report);
   if (options.fpga) json["fpga"] = measure_fpga(config, options.stages, options.place, area_options(options).progress);
   write_json(options.json, json);
   return kExitEqual;
+}
+
+// A netlist that is not its Verilog has no figure.
+int area(const Options& options) {
+  try {
+    return measure(options);
+  } catch (const NetlistDiffers& difference) {
+    fmt::print(stderr, "{}\n", difference.what());
+    return kExitDifferent;
+  }
 }
 
 }  // namespace
@@ -155,13 +180,13 @@ void add_area(CLI::App& app, Run& run) {
   command->add_option("--effort", options->effort, "What mapping aims at")
       ->capture_default_str()
       ->check(CLI::IsMember({"area", "speed", "unbuffered"}));
-  command->add_option("--stage", options->stages, "Only this stage")
-      ->check(CLI::IsMember(std::vector<std::string>{"packet", "scan", "interpolate", "perspective", "texture",
-                                                     "perturb", "normalize", "light", "output"}));
+  command->add_option("--stage", options->stages, "Only this stage")->check(CLI::IsMember(stage_names()));
   command->add_flag("--no-flat", options->no_flat, "Leave out the flat whole");
   command->add_flag("--plain-adders", options->plain_adders, "Adders in simple gates, not in full adder cells");
   command->add_flag("--fpga", options->fpga, "Also cells of iCE40, ECP5 and Xilinx");
   command->add_flag("--place", options->place, "With --fpga: place and route on iCE40 UP5K what fits");
+  command->add_option("--faults", options->faults,
+                      "Put so many single faults into each netlist and say how many its check finds");
   command->add_flag("--shading", options->shading,
                     "Only what shades: interpolators of N, L, H to dot products and power");
   command->add_flag("--figures", options->figures, "Fig. 1, Fig. 2 and Fig. 3 of the paper");

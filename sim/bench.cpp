@@ -1,6 +1,5 @@
 // bench: clocks a pixel for triangles of several sizes, and how fast golden and RTL simulate.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <memory>
@@ -9,6 +8,7 @@
 #include "golden/pixel/pixel.h"
 #include "sim/command.h"
 #include "sim/progress.h"
+#include "tb/cpu_time.h"
 
 namespace wrinkle {
 namespace {
@@ -19,12 +19,6 @@ struct Options {
   int runs = 5;
   std::filesystem::path json;
 };
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());

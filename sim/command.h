@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/vertex/scene.h"
 #include "sim/scene/scene_reader.h"
 #include "tb/bench.h"
@@ -34,6 +34,7 @@ void add_figures(CLI::App& app, Run& run);
 void add_report(CLI::App& app, Run& run);
 void add_config(CLI::App& app, Run& run);
 void add_completion(CLI::App& app, Run& run);
+void add_generate(CLI::App& app, Run& run);
 
 // --config NAME and --set KEY=VALUE.
 struct ConfigOptions {

@@ -31,25 +31,11 @@ std::string legal(const Parameter& parameter) {
   return fmt::format("{} to {}", parameter.minimum, parameter.maximum);
 }
 
-// Widths and counts that the parameters lead to, by name.
-std::vector<std::pair<std::string, int>> derived(const Config& config) {
-  return {{"vector_width", config.vector_width()},
-          {"normal_vector_width", config.normal_vector_width()},
-          {"uv_width", config.uv_width()},
-          {"edge_bits", config.edge_bits()},
-          {"texel_components", config.texel_components()},
-          {"filter_fraction_bits", config.filter_fraction_bits()},
-          {"draw_words", config.draw_words()},
-          {"channel_count", config.channel_count()},
-          {"widest_operand_bits", widest_operand_bits(config)},
-          {"lane_bits", lane_bits(config)}};
-}
-
 // What goes between wrinkle_core and the name of an instance.
 std::string verilog(const Config& config) {
   std::vector<std::string> connections;
   for (const Parameter& parameter : parameters()) {
-    if (parameter.member == &Config::block_exponent) continue;  // of set-up alone
+    if (parameter.scope != Scope::core) continue;
     std::string name(parameter.name);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::toupper(c)); });
     connections.push_back(fmt::format("    .{}({})", name, config.*parameter.member));
@@ -64,12 +50,15 @@ void print_table(const Config& config) {
                legal(parameter));
   }
   fmt::print("* other than the default\n\n");
-  for (const auto& [name, value] : derived(config)) fmt::print("{:<19} {}\n", name, value);
+  const Shape shape(config);
+  for (const DerivedValue& value : derived_values())
+    fmt::print("{:<24} {:<5} {}\n", value.name, shape.*value.member, value.description);
 }
 
 nlohmann::json to_json(const Options& options, const Config& config, const std::vector<std::string>& lost) {
   nlohmann::json widths;
-  for (const auto& [name, value] : derived(config)) widths[name] = value;
+  const Shape shape(config);
+  for (const DerivedValue& value : derived_values()) widths[std::string(value.name)] = shape.*value.member;
   nlohmann::json result{{"config", options.config}, {"parameters", parameters_json(config)}, {"derived", widths}};
   if (!options.scene.empty()) {
     result["scene"] = options.scene;

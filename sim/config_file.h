@@ -1,5 +1,5 @@
-// Configuration files: TOML, keys and values exactly as in golden/parameters.def. docs/formats.md, "Configuration
-// file".
+// Configuration files: TOML, keys and values exactly as in golden/config/parameters.def. docs/formats.md,
+// "Configuration file".
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 namespace wrinkle {
 

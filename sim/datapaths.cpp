@@ -5,7 +5,7 @@ namespace wrinkle {
 std::vector<DatapathFrame> datapath_frames() {
   return {
       {0, {"phong", "patch_fig1", "phong", {}}},
-      {0, {"tangent", "patch_fig6", "standard", {}}},
+      {0, {"normal_map", "patch_fig6", "standard", {}}},
       {0, {"after", "patch_fig6", "standard", {"normalize_order=after", "self_shadow=off"}}},
       {0, {"no_normalizer", "patch_fig6", "standard", {"normalizer_l=none", "normalizer_h=none"}}},
       {0, {"compact", "patch_fig6", "compact", {}}},

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/draw.h"
 #include "sim/aov.h"
 #include "sim/framebuffer.h"

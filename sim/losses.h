@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/draw.h"
 #include "golden/vertex/scene.h"
 

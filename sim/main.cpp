@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
   wrinkle::add_report(app, command);
   wrinkle::add_config(app, command);
   wrinkle::add_completion(app, command);
+  wrinkle::add_generate(app, command);
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   check_command(app, arguments);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them

@@ -7,6 +7,7 @@
 
 #include "sim/command.h"
 #include "sim/datapaths.h"
+#include "sim/digest/digest.h"
 #include "sim/input_error.h"
 #include "sim/layout.h"
 #include "sim/progress.h"
@@ -25,6 +26,7 @@ struct Options {
   std::filesystem::path folder = "out";
   RtlOptions rtl;
   std::filesystem::path trace, json;
+  DigestOptions digest;
 };
 
 // Compares one frame and prints one line, with the first difference below it.
@@ -147,7 +149,19 @@ bool verify_all(const Options& options, nlohmann::json& frames) {
   return equal;
 }
 
+int digest(const Options& options) {
+  DigestOptions digest = options.digest;
+  digest.scenes = options.scenes;
+  digest.configs = options.configs;
+  digest.engines.rtl = options.rtl.rtl;
+  nlohmann::json object;
+  const bool equal = verify_digest(digest, object);
+  write_json(options.json, {{"equal", equal}, {"digest", object}});
+  return equal ? kExitEqual : kExitDifferent;
+}
+
 int verify(const Options& options) {
+  if (!options.digest.file.empty()) return digest(options);
   if (options.scenes.empty() && options.vectors.empty() && options.random == 0 && !options.all)
     throw InputError(Place{"verify"}, "nothing to verify", "scenes, --all, --random N or --vectors FILE");
   nlohmann::json runs = nlohmann::json::array();
@@ -158,6 +172,24 @@ int verify(const Options& options) {
   if (options.all) equal &= verify_all(options, frames);
   write_json(options.json, {{"equal", equal}, {"runs", runs}, {"frames", frames}});
   return equal ? kExitEqual : kExitDifferent;
+}
+
+// A digest is drawn with settings of its own, so that two of them can be compared.
+void add_digest_options(CLI::App& command, DigestOptions& options) {
+  CLI::Option* file =
+      command.add_option("--digest", options.file,
+                         "Write a hash of every stage's values and the clocks of the RTL to this file, a line a "
+                         "frame; SCENEs (also random:SEED) and -c choose among the frames");
+  for (const char* other : {"--set", "--all", "--random", "--vectors", "--stalls", "--seed", "--latency", "--trace"})
+    file->excludes(command.get_option(other));
+  command.add_option("--against", options.against, "Digest to draw again and to compare with")
+      ->needs(file)
+      ->check(CLI::ExistingFile);
+  command.add_flag("--golden-only", options.engines.golden_only, "Leave out the RTL, and so its clocks, of --digest")
+      ->needs(file);
+  command.add_option("-j,--jobs", options.processes, "Processes that draw for --digest; else one a core")
+      ->needs(file)
+      ->check(CLI::Range(1, 1024));
 }
 
 }  // namespace
@@ -178,6 +210,7 @@ void add_verify(CLI::App& app, Run& run) {
       ->allow_extra_args(false);
   add_rtl_options(*command, options->rtl);
   command->add_option("--trace", options->trace, "FST waveform to write around the first difference");
+  add_digest_options(*command, options->digest);
   add_json_option(*command, options->json);
   command->callback([options, &run] { run = [options] { return verify(*options); }; });
 }

@@ -1,21 +1,15 @@
 #include "tb/bench.h"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <map>
 
 #include "tb/blame.h"
+#include "tb/cpu_time.h"
 #include "tb/testbench.h"
 
 namespace wrinkle {
 namespace {
-
-double process_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double scaled(std::int64_t value, int fraction_bits) {
   return static_cast<double>(value) / static_cast<double>(std::int64_t{1} << fraction_bits);
@@ -92,9 +86,9 @@ BenchResult run_bench(const Config& config, const PacketStream& stream, const st
   run.stop_after = options.stop_after;
 
   BenchResult result;
-  const double start = process_cpu_seconds();
+  const double start = cpu_seconds();
   simulate(run);
-  result.cpu_seconds = process_cpu_seconds() - start;
+  result.cpu_seconds = cpu_seconds() - start;
   result.fragments = run.fragments;
   result.cycles = run.cycles;
   result.mismatches = run.mismatches;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/pixel/pixel.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/packet.h"

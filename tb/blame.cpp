@@ -51,26 +51,27 @@ Run replay(const Run& run, Words words, Model& model) {
   return again;
 }
 
-bool tapped(const Run& run, Stage stage) { return (run.last_taps.stages >> static_cast<int>(stage) & 1) != 0; }
-
-// The first stage that handed on more than there are fragments; else the first that handed on fewer in a run that came
-// to its end. (What multiplies fragments also holds up the stages before it.)
+// The first stage that handed on more than the fragments there are, each as often as the stage moves one; else the
+// first that handed on fewer in a run that came to its end. (What multiplies fragments also holds up the stages before
+// it.)
 std::string stage_by_count(const Run& run, std::uint64_t total) {
+  const PerStage<int> moves = stage_moves(*run.config);
   std::string fewer;
-  for (int stage = 0; stage < kStages; ++stage) {
-    if (!tapped(run, Stage(stage))) continue;
-    if (run.stage_transfers[stage] > total) return kStageNames[stage];
-    if (run.idle && run.stage_transfers[stage] < total && fewer.empty()) fewer = std::string(kStageNames[stage]);
+  for (std::size_t stage = 0; stage < run.stages.size(); ++stage) {
+    if (!run.stages[stage].visible) continue;
+    const std::uint64_t expected = total * static_cast<std::uint64_t>(moves[stage]);
+    if (run.stages[stage].transfers > expected) return std::string(kStageNames[stage]);
+    if (run.idle && run.stages[stage].transfers < expected && fewer.empty()) fewer = std::string(kStageNames[stage]);
   }
   return fewer;
 }
 
 // Above the culprit of a hang every stage offers what is not taken; from it on nothing is offered.
 std::string stage_by_hang(const Run& run) {
-  for (int stage = 0; stage < kStages; ++stage) {
-    if (tapped(run, Stage(stage)) && (run.last_taps.valid >> stage & 1) == 0) return kStageNames[stage];
+  for (std::size_t stage = 0; stage < run.stages.size(); ++stage) {
+    if (run.stages[stage].visible && !run.stages[stage].valid) return std::string(kStageNames[stage]);
   }
-  return kStageNames[kStages - 1];
+  return std::string(kStageNames.back());
 }
 
 void name(Difference& d, const Value& value, std::size_t element, std::int64_t golden, std::int64_t rtl) {
@@ -83,15 +84,17 @@ void name(Difference& d, const Value& value, std::size_t element, std::int64_t g
   d.rtl = rtl;
 }
 
-// The first value in pipeline order that differs among those of the stages [from, to).
-bool name_by_value(Difference& d, const Run& run, const FragmentValues& golden, int from, int to) {
+// The first value in pipeline order that differs among those of the stages `from` to `to`.
+bool name_by_value(Difference& d, const Run& run, const FragmentValues& golden, Stage from, Stage to) {
   const std::vector<Value> all = values(*run.config);
+  const PerStage<int> moves = stage_moves(*run.config);
   const FragmentValues& rtl = run.first->rtl_values;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto stage = std::find(kStageNames, kStageNames + kStages, all[i].stage) - kStageNames;
-    if (stage < from || stage >= to || !all[i].present || !tapped(run, Stage(static_cast<int>(stage)))) continue;
-    if ((run.last_taps.present >> i & 1) == 0) continue;
-    for (std::size_t e = 0; e < static_cast<std::size_t>(all[i].elements); ++e) {
+    const auto stage =
+        static_cast<std::size_t>(std::find(kStageNames.begin(), kStageNames.end(), all[i].stage) - kStageNames.begin());
+    if (stage < static_cast<std::size_t>(from) || stage > static_cast<std::size_t>(to)) continue;
+    if (!run.stages[stage].visible || !run.visible_values[i]) continue;
+    for (std::size_t e = 0; e < static_cast<std::size_t>(moves[stage] * all[i].elements); ++e) {
       if (rtl[i][e] == golden[i][e]) continue;
       name(d, all[i], e, golden[i][e], rtl[i][e]);
       return true;
@@ -107,7 +110,7 @@ void name_by_port(Difference& d, const Run& run) {
   const auto port = [&](const char* port_name, int width, int fraction, std::size_t element, std::int64_t golden,
                         std::int64_t rtl) {
     if (golden == rtl || !d.stage.empty()) return;
-    name(d, {"output", port_name, 1, width, fraction, false, true}, element, golden, rtl);
+    name(d, {"output", port_name, 1, width, fraction, false, true, "", 0}, element, golden, rtl);
   };
   port("x", config.screen_bits, 0, 0, g.x, r.x);
   port("y", config.screen_bits, 0, 0, g.y, r.y);
@@ -139,9 +142,9 @@ bool name_stage(Difference& d, const Run& run) {
   }
   // One too many or too few makes all that follows another fragment's; scan makes the fragments in the first place.
   d.stage = stage_by_count(run, golden.total);
-  const bool counted = !d.stage.empty() && d.stage != kStageNames[0];
-  if (counted || name_by_value(d, run, golden.values, 0, 1) || !d.stage.empty()) return true;
-  if (!name_by_value(d, run, golden.values, 1, kStages)) name_by_port(d, run);
+  const bool counted = !d.stage.empty() && d.stage != kStageNames[static_cast<std::size_t>(Stage::scan)];
+  if (counted || name_by_value(d, run, golden.values, Stage::scan, Stage::scan) || !d.stage.empty()) return true;
+  if (!name_by_value(d, run, golden.values, Stage::interpolate, Stage{kStages - 1})) name_by_port(d, run);
   return true;
 }
 

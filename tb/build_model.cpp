@@ -9,28 +9,15 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "tb/model.h"
+#include "golden/pixel/pixel.h"
+#include "golden/stages.h"
+#include "tb/fingerprint.h"
 #include "tb/process.h"
 
 namespace wrinkle {
 namespace {
 
 namespace fs = std::filesystem;
-
-// FNV-1a; two of them from different starts make a key of 128 bits.
-struct Key {
-  std::uint64_t a = 0xcbf29ce484222325, b = 0x84222325cbf29ce4;
-
-  void add(std::string_view text) {
-    for (const char c : text) {
-      a = (a ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-      b = (b ^ static_cast<unsigned char>(c)) * 0x10000000233;
-    }
-    a = (a ^ text.size()) * 0x100000001b3;
-    b = (b ^ text.size()) * 0x10000000233;
-  }
-  std::string hex() const { return fmt::format("{:016x}{:016x}", a, b); }
-};
 
 struct Tools {
   std::string verilator_version = first_line({"verilator", "--version"});
@@ -60,7 +47,7 @@ Arguments verilator_flags(const Config& config, const ModelOptions& options) {
       "--x-initial", "unique",       "-Wno-lint",    "-Wno-style", "--default-language",     "1364-2005"};
   if (options.trace) flags.push_back("--trace-fst");
   for (const Parameter& parameter : parameters()) {
-    if (parameter.member == &Config::block_exponent) continue;  // of set-up alone
+    if (parameter.scope != Scope::core) continue;
     std::string name(parameter.name);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
     flags.push_back(fmt::format("-G{}={}", name, config.*parameter.member));
@@ -90,14 +77,16 @@ std::vector<fs::path> verilog_sources(const fs::path& root) {
 fs::path glue_source() { return fs::path(WRINKLE_SOURCE_DIR) / "tb" / "glue" / "glue.cpp"; }
 
 std::string model_key(const Config& config, const ModelOptions& options, const fs::path& root) {
-  Key key;
+  Fingerprint key;
   for (const fs::path& source : verilog_sources(root)) {
     key.add(fs::relative(source, root).string());
     key.add(read_text(source));
   }
-  for (const char* file : {"tb/glue/glue.cpp", "tb/model.h", "golden/pixel/components.def"}) {
+  for (const char* file :
+       {"tb/glue/glue.cpp", "tb/model.h", "tb/pins.h", "golden/streams.def", "golden/texel/texture.h"}) {
     key.add(read_text(fs::path(WRINKLE_SOURCE_DIR) / file));
   }
+  for (const std::string& wire : visible_wires(config)) key.add(wire);
   for (const std::string& flag : verilator_flags(config, options)) key.add(flag);
   for (const std::string& flag : compiler_flags(options)) key.add(flag);
   key.add(tools().verilator_version);
@@ -109,20 +98,15 @@ void check(int code, const std::string& what, const fs::path& log) {
   if (code != 0) throw ModelBuildError(fmt::format("{} failed with code {}:\n{}", what, code, read_text(log)));
 }
 
-// Makes the wires between the stages visible to the glue; names a configuration lacks do no harm.
-void write_visible_wires(const fs::path& path) {
-  std::ofstream out(path);
-  out << "`verilator_config\n";
-  const auto show = [&](const char* stage, const char* name) {
-    out << fmt::format("public_flat_rd -module \"wrinkle_core\" -var \"{}_{}\"\n", stage, name);
-  };
-  for (const char* stage : kStageNames) {
-    show(stage, "valid");
-    show(stage, "ready");
+// Makes the wires between the stages visible: to Verilator by one file, to the glue by another. Names that the netlist
+// lacks do no harm.
+void write_visible_wires(const Config& config, const fs::path& folder) {
+  std::ofstream verilator(folder / "wires.vlt"), glue(folder / "wires.def");
+  verilator << "`verilator_config\n";
+  for (const std::string& wire : visible_wires(config)) {
+    verilator << fmt::format("public_flat_rd -module \"wrinkle_core\" -var \"{}\"\n", wire);
+    glue << fmt::format("WRINKLE_WIRE({})\n", wire);
   }
-#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) show(#stage, #name);
-#include "golden/pixel/components.def"
-#undef WRINKLE_VALUE
 }
 
 Arguments compile_command(const ModelOptions& options) {
@@ -146,7 +130,7 @@ Arguments operator+(Arguments a, const Arguments& b) {
 fs::path runtime_library(const ModelOptions& options, const fs::path& cache, const BuildProgress& progress) {
   ModelOptions runtime = options;
   runtime.optimize = true;
-  Key key;
+  Fingerprint key;
   key.add(tools().verilator_version);
   key.add(tools().compiler_version);
   for (const std::string& flag : compiler_flags(runtime)) key.add(flag);
@@ -191,7 +175,7 @@ void build(const Config& config, const ModelOptions& options, const fs::path& ro
            const fs::path& runtime, const fs::path& library) {
   const fs::path wires = folder / "wires.vlt", log = folder / "log", fast = folder / "fast.cpp",
                  slow = folder / "slow.cpp";
-  write_visible_wires(wires);
+  write_visible_wires(config, folder);
   Arguments verilate = Arguments{"verilator"} + verilator_flags(config, options) + Arguments{"--Mdir", folder, wires};
   for (const fs::path& include : verilog_folders(root)) verilate.push_back("-I" + include.string());
   for (const fs::path& source : verilog_sources(root)) {
@@ -222,6 +206,19 @@ fs::path cache_directory(const ModelOptions& options) {
 }
 
 }  // namespace
+
+std::vector<std::string> visible_wires(const Config& config) {
+  std::vector<std::string> wires;
+  for (const std::string_view stage : kStageNames) {
+    wires.push_back(fmt::format("{}_valid", stage));
+    wires.push_back(fmt::format("{}_ready", stage));
+  }
+  for (const Value& value : values(config)) {
+    if (value.present && std::find(wires.begin(), wires.end(), value.wire) == wires.end())
+      wires.emplace_back(value.wire);
+  }
+  return wires;
+}
 
 fs::path build_model(const Config& config, const ModelOptions& options, const BuildProgress& progress) {
   const fs::path root = options.source_root.empty() ? fs::path(WRINKLE_SOURCE_DIR) : fs::absolute(options.source_root);

@@ -5,8 +5,9 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 namespace wrinkle {
 
@@ -30,5 +31,8 @@ struct ModelBuildError : std::runtime_error {
 // and to interrupt: a library appears under its name only when it is complete.
 std::filesystem::path build_model(const Config& config, const ModelOptions& options = {},
                                   const BuildProgress& progress = {});
+
+// The wires of wrinkle_core that a model shows: the handshakes of the stages, and those that values lie on.
+std::vector<std::string> visible_wires(const Config& config);
 
 }  // namespace wrinkle

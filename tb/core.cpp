@@ -2,6 +2,10 @@
 
 #include <tlm_utils/tlm_quantumkeeper.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "tb/tap_recorder.h"
 
 namespace wrinkle {
@@ -16,7 +20,7 @@ Fragment read_fragment(const Pins& pins, int colour_bits, int channels) {
   Fragment f;
   f.x = static_cast<std::int32_t>(pins.fragment_x);
   f.y = static_cast<std::int32_t>(pins.fragment_y);
-  f.z = pins.fragment_z;
+  f.z = static_cast<std::uint32_t>(pins.fragment_z);
   const std::uint64_t mask = (std::uint64_t{1} << colour_bits) - 1;
   for (int c = 0; c < channels; ++c) {
     f.colour[static_cast<std::size_t>(c)] =
@@ -27,7 +31,21 @@ Fragment read_fragment(const Pins& pins, int colour_bits, int channels) {
   return f;
 }
 
-// Drives the pins of one run, clock by clock.
+PerStream<StallSource> stall_sources(const BenchOptions& options) {
+  return [&]<std::size_t... stream>(std::index_sequence<stream...>) {
+    return PerStream<StallSource>{StallSource(options.stalls, options.seed * 8 + 1 + stream)...};
+  }
+  (std::make_index_sequence<kStreamStages.size()>());
+}
+
+void set_words(std::uint64_t& pin, const std::uint64_t* words, std::size_t) { pin = *words; }
+template <std::size_t n>
+void set_words(std::array<std::uint64_t, n>& pin, const std::uint64_t* words, std::size_t count) {
+  for (std::size_t k = 0; k < n && k < count; ++k) pin[k] = words[k];
+}
+
+// Drives the pins of one run, clock by clock. Of an input stream NAME it asks NAME_waits(), whether there is something
+// to offer, offer_NAME(), and tells NAME_taken(); of an output stream it tells NAME_taken() before the clock edge.
 class Clockwork {
  public:
   Clockwork(Run& run, BlockReader<WordBlock>& words, QuadFetch& quads)
@@ -35,13 +53,12 @@ class Clockwork {
         model_(*run.model),
         words_(words),
         quads_(quads),
-        taps_(*run.config),
-        packet_stall_(run.options->stalls, run.options->seed * 8 + 1),
-        request_stall_(run.options->stalls, run.options->seed * 8 + 2),
-        response_stall_(run.options->stalls, run.options->seed * 8 + 3),
-        fragment_stall_(run.options->stalls, run.options->seed * 8 + 4),
+        taps_(values(*run.config), stage_moves(*run.config), run.model->wires()),
+        stalls_(stall_sources(*run.options)),
         colour_bits_(run.config->colour_bits),
-        channels_(run.config->channel_count()) {}
+        channels_(run.config->channel_count()) {
+    if (run.tapped) run.visible_values = taps_.visible_values();
+  }
 
   ~Clockwork() {
     if (tracing_) model_.trace_close();
@@ -57,9 +74,10 @@ class Clockwork {
   // Runs up to `clocks` clocks; the fragments that left go into `out`. False when the run is over.
   bool advance(int clocks, FragmentBlock& out) {
     out.first_cycle = cycle_;
+    out_ = &out;
     for (int i = 0; i < clocks; ++i) {
       if (finished()) return false;
-      clock(out);
+      clock();
     }
     return true;
   }
@@ -95,94 +113,119 @@ class Clockwork {
     return !out_of_words_;
   }
 
-  // The inputs of this clock. A stream once valid stays so until it is taken.
-  void drive() {
-    if (pins_.packet_valid == 0 && (word_ < block_.size() || next_words()) && !packet_stall_.stalled()) {
-      pins_.packet_valid = 1;
-      pins_.packet_word = block_[word_];
-    }
-    if (pins_.texel_response_valid == 0) {
-      const QuadFetch::Response* response = quads_.response(cycle_);
-      if (response != nullptr && !response_stall_.stalled()) {
-        pins_.texel_response_valid = 1;
-        std::copy(response->a.begin(), response->a.end(), pins_.texel_response_a);
-        std::copy(response->b.begin(), response->b.end(), pins_.texel_response_b);
-      }
-    }
-    pins_.texel_request_ready = !request_stall_.stalled();
-    pins_.fragment_ready = !fragment_stall_.stalled();
+  bool stalled(Stream stream) { return stalls_[static_cast<std::size_t>(stream)].stalled(); }
+
+  bool packet_waits() { return word_ < block_.size() || next_words(); }
+  void offer_packet() { pins_.packet_word = block_[word_]; }
+  void packet_taken() { ++word_; }
+
+  void texel_request_taken() {
+    if (!quads_.request(pins_.texel_request_a, pins_.texel_request_b, cycle_) && !run_.bad_request)
+      run_.bad_request = here(Difference::Kind::kRequest, Stream::texel_request);
   }
 
-  void clock(FragmentBlock& out) {
+  bool texel_response_waits() { return quads_.is_due(cycle_); }
+  void offer_texel_response() { quads_.texel_words() == 1 ? offer_texels<1>() : offer_texels<kAnyNumber>(); }
+  void texel_response_taken() { quads_.pop(); }
+  // `known`: words of a texel, to be looped over without a count where it is one.
+  template <std::size_t known>
+  void offer_texels() {
+    const std::size_t words = known != kAnyNumber ? known : quads_.texel_words();
+    const std::uint64_t* texel = quads_.texels();
+#define WRINKLE_INPUT_FIELD(stream, name, most, width)      \
+  if constexpr (Stream::stream == Stream::texel_response) { \
+    set_words(pins_.name, texel, words);                    \
+    texel += words;                                         \
+  }
+#include "golden/streams.def"
+  }
+
+  void fragment_taken() {
+    const Fragment f = read_fragment(pins_, colour_bits_, channels_);
+    run_.zero_vectors += f.zero;
+    out_->fragments.push_back(f);
+    out_->clocks.push_back(static_cast<std::uint32_t>(cycle_ - out_->first_cycle));
+    if (run_.tapped) out_->values.push_back(taps_.take());
+    ++run_.fragments;
+  }
+
+  // The inputs of this clock. A stream once valid stays so until it is taken.
+  void drive() {
+#define WRINKLE_INPUT(stream, stage)                                               \
+  if (pins_.stream##_valid == 0 && stream##_waits() && !stalled(Stream::stream)) { \
+    pins_.stream##_valid = 1;                                                      \
+    offer_##stream();                                                              \
+  }
+#define WRINKLE_OUTPUT(stream, stage) pins_.stream##_ready = !stalled(Stream::stream);
+#include "golden/streams.def"
+  }
+
+  void clock() {
     drive();
     if (run_.tapped) sample();
-    const bool packet_taken = pins_.packet_valid && pins_.packet_ready;
-    const bool request_taken = pins_.texel_request_valid && pins_.texel_request_ready;
-    const bool response_taken = pins_.texel_response_valid && pins_.texel_response_ready;
-    const bool fragment_taken = pins_.fragment_valid && pins_.fragment_ready;
-    if (request_taken && !quads_.request(pins_.texel_request_a, pins_.texel_request_b, cycle_) && !run_.bad_request) {
-      run_.bad_request = here(Difference::Kind::kRequest, "texture");
-    }
-    if (fragment_taken) emit(out);
-    if (packet_taken || request_taken || response_taken || fragment_taken) last_transfer_ = cycle_;
+    bool held = false;
+#define WRINKLE_INPUT(stream, stage)                                       \
+  const bool take_##stream = pins_.stream##_valid && pins_.stream##_ready; \
+  if (take_##stream) last_transfer_ = cycle_;
+#define WRINKLE_OUTPUT(stream, stage)                 \
+  if (pins_.stream##_valid && pins_.stream##_ready) { \
+    last_transfer_ = cycle_;                          \
+    stream##_taken();                                 \
+  }                                                   \
+  held |= pins_.stream##_valid && !pins_.stream##_ready;
+#include "golden/streams.def"
 
     if (cycle_ == run_.trace_from) {
       model_.trace_open(run_.options->trace);
       tracing_ = true;
     }
-    const bool held = (pins_.texel_request_valid && !request_taken) || (pins_.fragment_valid && !fragment_taken);
     if (held) {
-      const Pins before = pins_;
+      const OutputPins before = pins_;
       model_.clock(pins_);
       check_hold(before);
     } else {
       model_.clock(pins_);
     }
     ++cycle_;
-    if (packet_taken) {
-      ++word_;
-      pins_.packet_valid = 0;
-    }
-    if (response_taken) {
-      quads_.pop();
-      pins_.texel_response_valid = 0;
-    }
+#define WRINKLE_INPUT(stream, stage) \
+  if (take_##stream) {               \
+    stream##_taken();                \
+    pins_.stream##_valid = 0;        \
   }
-
-  void emit(FragmentBlock& out) {
-    const Fragment f = read_fragment(pins_, colour_bits_, channels_);
-    run_.zero_vectors += f.zero;
-    out.fragments.push_back(f);
-    out.clocks.push_back(static_cast<std::uint32_t>(cycle_ - out.first_cycle));
-    if (run_.tapped) out.values.push_back(taps_.take());
-    ++run_.fragments;
+#include "golden/streams.def"
   }
 
   void sample() {
     model_.settle(pins_);
-    model_.taps(run_.last_taps);
-    taps_.sample(run_.last_taps, run_.stage_transfers);
+    taps_.sample();
+    run_.stages = taps_.stages();
   }
 
-  void check_hold(const Pins& before) {
-    const bool request_held = !before.texel_request_valid || before.texel_request_ready ||
-                              (pins_.texel_request_valid && pins_.texel_request_a == before.texel_request_a &&
-                               pins_.texel_request_b == before.texel_request_b);
-    const bool fragment_held =
-        !before.fragment_valid || before.fragment_ready ||
-        (pins_.fragment_valid && pins_.fragment_x == before.fragment_x && pins_.fragment_y == before.fragment_y &&
-         pins_.fragment_z == before.fragment_z && pins_.fragment_colour == before.fragment_colour &&
-         pins_.fragment_last == before.fragment_last && pins_.fragment_zero == before.fragment_zero);
-    if (!request_held || !fragment_held)
-      run_.differ(here(Difference::Kind::kHold, request_held ? "output" : "texture"));
+  // What was offered and not taken before the clock edge is offered after it, unchanged.
+  void check_hold(const OutputPins& before) {
+    PerStream<bool> waits{}, changed{};
+    const auto at = [](Stream stream) { return static_cast<std::size_t>(stream); };
+#define WRINKLE_OUTPUT(stream, stage)                                                  \
+  waits[at(Stream::stream)] = before.stream##_valid != 0 && pins_.stream##_ready == 0; \
+  changed[at(Stream::stream)] = pins_.stream##_valid == 0;
+#define WRINKLE_OUTPUT_FIELD(stream, name, most, width) \
+  if (pins_.name != before.name) changed[at(Stream::stream)] = true;
+#include "golden/streams.def"
+    for (std::size_t stream = 0; stream < waits.size(); ++stream) {
+      if (waits[stream] && changed[stream]) run_.differ(here(Difference::Kind::kHold, static_cast<Stream>(stream)));
+    }
   }
 
-  FirstDifference here(Difference::Kind kind, const char* stage = "") const {
+  FirstDifference here(Difference::Kind kind) const {
     FirstDifference d;
     d.kind = kind;
     d.fragment = run_.fragments;
     d.cycle = cycle_;
-    d.stage = stage;
+    return d;
+  }
+  FirstDifference here(Difference::Kind kind, Stream stream) const {
+    FirstDifference d = here(kind);
+    d.stage = kStreamStages[static_cast<std::size_t>(stream)];
     return d;
   }
 
@@ -191,9 +234,10 @@ class Clockwork {
   BlockReader<WordBlock>& words_;
   QuadFetch& quads_;
   TapRecorder taps_;
-  StallSource packet_stall_, request_stall_, response_stall_, fragment_stall_;
+  PerStream<StallSource> stalls_;
   int colour_bits_, channels_;
   Pins pins_;
+  FragmentBlock* out_ = nullptr;  // of the current quantum
   WordBlock block_;
   std::size_t word_ = 0;
   bool out_of_words_ = false, tracing_ = false;

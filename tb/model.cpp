@@ -17,6 +17,19 @@ Model::Model(const std::filesystem::path& library, std::uint64_t seed) {
 
 Model::~Model() { api_->destroy(state_); }
 
+std::span<const Wire> Model::wires() const {
+  std::size_t count = 0;
+  const Wire* const first = api_->wires(state_, &count);
+  return {first, count};
+}
+
+Wire Model::wire(std::string_view name) const {
+  for (const Wire& wire : wires()) {
+    if (name == wire.name) return wire;
+  }
+  return {};
+}
+
 void Model::trace_open(const std::filesystem::path& path) {
   if (!api_->trace_open(state_, path.c_str())) {
     throw std::runtime_error(path.string() + ": the model was built without waveforms");

@@ -1,12 +1,13 @@
 #include "tb/quad_fetch.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
 namespace wrinkle {
 
-QuadFetch::QuadFetch(const sc_core::sc_module_name& name, const TextureMemory& directory)
-    : sc_module(name), socket("socket"), directory_(directory), responses_(kWaiting) {
+QuadFetch::QuadFetch(const sc_core::sc_module_name& name, const TexelStore& directory)
+    : sc_module(name), socket("socket"), directory_(directory), due_(kWaiting) {
   socket.register_invalidate_direct_mem_ptr(this, &QuadFetch::invalidate);
 }
 
@@ -14,6 +15,9 @@ void QuadFetch::start(const Run& run) {
   head_ = tail_ = last_due_ = 0;
   latency_ = LatencySource(run.options->stalls, run.options->latency, run.options->seed * 8 + 5);
   trilinear_ = run.config->trilinear();
+  texel_words_ = directory_.texel_words();
+  response_words_ = 2 * kQuad * texel_words_;
+  texels_.assign(kWaiting * response_words_, 0);
   tlm::tlm_generic_payload probe;
   probe.set_command(tlm::TLM_READ_COMMAND);
   probe.set_address(0);
@@ -23,44 +27,53 @@ void QuadFetch::start(const Run& run) {
 
 void QuadFetch::invalidate(sc_dt::uint64, sc_dt::uint64) { direct_ = nullptr; }
 
-std::uint64_t QuadFetch::read_word(std::uint64_t address) {
-  std::uint64_t word = 0;
-  if (direct_ != nullptr) {
-    std::memcpy(&word, direct_ + address, sizeof word);
-    return word;
-  }
+void QuadFetch::transact(std::uint64_t address, std::uint64_t* texel) {
+  const auto length = static_cast<unsigned>(texel_words_ * sizeof *texel);
   tlm::tlm_generic_payload read;
   sc_core::sc_time delay;
   read.set_command(tlm::TLM_READ_COMMAND);
   read.set_address(address);
-  read.set_data_ptr(reinterpret_cast<unsigned char*>(&word));
-  read.set_data_length(sizeof word);
-  read.set_streaming_width(sizeof word);
+  read.set_data_ptr(reinterpret_cast<unsigned char*>(texel));
+  read.set_data_length(length);
+  read.set_streaming_width(length);
   read.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
   socket->b_transport(read, delay);
   if (read.is_response_error()) throw std::runtime_error("texture memory: " + read.get_response_string());
-  return word;
 }
 
 // Fields of the request as in docs/formats.md.
-bool QuadFetch::read_quad(std::uint64_t request, Quad& quad) {
+template <std::size_t known>
+bool QuadFetch::read_quad(std::uint64_t request, std::uint64_t* quad) {
+  const std::size_t words = known != kAnyNumber ? known : texel_words_;
   const auto field = [request](int low, int width) {
     return static_cast<std::uint32_t>(request >> low) & ((1U << width) - 1);
   };
   const std::uint32_t x[2] = {field(0, 12), field(12, 12)}, y[2] = {field(24, 12), field(36, 12)};
-  const TextureMemory::Level* level = directory_.level(field(52, 12), field(48, 4));
-  quad = {};
+  const TexelStore::Level* level = directory_.level(field(52, 12), field(48, 4));
+  std::fill_n(quad, kQuad * words, 0);
   if (level == nullptr) return false;
   bool legal = true;
-  for (unsigned i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < kQuad; ++i) {
     const std::uint32_t column = x[i & 1], row = y[i >> 1];
     if (column >= level->width || row >= level->height) {
       legal = false;
       continue;
     }
-    quad[i] = read_word(level->base + sizeof(std::uint64_t) * (std::uint64_t{row} * level->width + column));
+    const std::uint64_t address = level->base + sizeof *quad * words * (std::uint64_t{row} * level->width + column);
+    if (direct_ != nullptr)
+      std::memcpy(quad + i * words, direct_ + address, words * sizeof *quad);
+    else
+      transact(address, quad + i * words);
   }
   return legal;
 }
+
+template <std::size_t known>
+bool QuadFetch::read_quads(std::uint64_t a, std::uint64_t b, std::uint64_t* texels) {
+  const bool legal = read_quad<known>(a, texels);
+  return (!trilinear_ || read_quad<known>(b, texels + kQuad * texel_words_)) && legal;
+}
+template bool QuadFetch::read_quads<1>(std::uint64_t, std::uint64_t, std::uint64_t*);
+template bool QuadFetch::read_quads<kAnyNumber>(std::uint64_t, std::uint64_t, std::uint64_t*);
 
 }  // namespace wrinkle

@@ -13,20 +13,15 @@
 
 namespace wrinkle {
 
-// Four texels of a level: (x0,y0) (x1,y0) (x0,y1) (x1,y1).
-using Quad = std::array<std::uint64_t, 4>;
+// In the place of a number of words that is not known to the compiler.
+inline constexpr std::size_t kAnyNumber = 0;
 
 // Called by the core once a clock, through a port bound to the class itself so that calls need no table.
 class QuadFetch final : public sc_core::sc_module, virtual public sc_core::sc_interface {
  public:
   tlm_utils::simple_initiator_socket<QuadFetch> socket;
 
-  struct Response {
-    Quad a, b;  // b: trilinear
-    std::uint64_t due;
-  };
-
-  QuadFetch(const sc_core::sc_module_name& name, const TextureMemory& directory);
+  QuadFetch(const sc_core::sc_module_name& name, const TexelStore& directory);
 
   // Begins a run, after the memory is loaded.
   void start(const Run& run);
@@ -34,22 +29,20 @@ class QuadFetch final : public sc_core::sc_module, virtual public sc_core::sc_in
   // Takes a request of the clock `now`. False for a texel that is in no texture; it reads as 0.
   bool request(std::uint64_t a, std::uint64_t b, std::uint64_t now) {
     if (tail_ - head_ == kWaiting) return false;
-    Response& entry = responses_[tail_ % kWaiting];
-    bool legal = read_quad(a, entry.a);
-    if (trilinear_) legal = read_quad(b, entry.b) && legal;
+    std::uint64_t* const texels = texels_of(tail_);
+    const bool legal = texel_words_ == 1 ? read_quads<1>(a, b, texels) : read_quads<kAnyNumber>(a, b, texels);
     // In order: none is due before the one ahead of it.
     last_due_ = std::max(last_due_, now + 1 + latency_.next());
-    entry.due = last_due_;
+    due_[tail_ % kWaiting] = last_due_;
     ++tail_;
     return legal;
   }
 
-  // The oldest response, null while it is not due.
-  const Response* response(std::uint64_t now) const {
-    if (head_ == tail_) return nullptr;
-    const Response& entry = responses_[head_ % kWaiting];
-    return entry.due <= now ? &entry : nullptr;
-  }
+  // Whether the oldest response is due.
+  bool is_due(std::uint64_t now) const { return head_ != tail_ && due_[head_ % kWaiting] <= now; }
+  // Texels of the oldest response: (x0,y0) (x1,y0) (x0,y1) (x1,y1) of a, then of b, texel_words() words each.
+  const std::uint64_t* texels() { return texels_of(head_); }
+  std::size_t texel_words() const { return texel_words_; }
   void pop() { ++head_; }
   bool empty() const { return head_ == tail_; }
 
@@ -57,12 +50,20 @@ class QuadFetch final : public sc_core::sc_module, virtual public sc_core::sc_in
   // More than the core can have in flight.
   static constexpr std::uint64_t kWaiting = 1024;
 
-  bool read_quad(std::uint64_t request, Quad& quad);
-  std::uint64_t read_word(std::uint64_t address);
+  static constexpr std::size_t kQuad = 4;
+
+  std::uint64_t* texels_of(std::uint64_t request) { return texels_.data() + request % kWaiting * response_words_; }
+  // `known`: words of a texel, so that the common one costs no loops.
+  template <std::size_t known>
+  bool read_quads(std::uint64_t a, std::uint64_t b, std::uint64_t* texels);
+  template <std::size_t known>
+  bool read_quad(std::uint64_t request, std::uint64_t* quad);
+  void transact(std::uint64_t address, std::uint64_t* texel);
   void invalidate(sc_dt::uint64 first, sc_dt::uint64 last);
 
-  const TextureMemory& directory_;
-  std::vector<Response> responses_;
+  const TexelStore& directory_;
+  std::size_t texel_words_ = 1, response_words_ = 2 * kQuad;
+  std::vector<std::uint64_t> due_, texels_;
   std::uint64_t head_ = 0, tail_ = 0, last_due_ = 0;
   LatencySource latency_{StallProfile::kNone, 0, 0};
   bool trilinear_ = false;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "golden/triangle/corners.h"
+#include "tb/random_config.h"
 #include "tb/stall.h"
 
 namespace wrinkle {
@@ -144,7 +145,7 @@ ScreenTriangle random_triangle(const Config& config, const DrawState& state, con
     vertex.N = random_vector(random);
     vertex.L = random_vector(random);
     vertex.H = random_vector(random);
-    if (!config.has_blinn()) continue;
+    if (Shape(config).frame_unbounded == 0) continue;
     // Mostly a normal perturbed by less than its length.
     vertex.A = random_vector(random);
     const double scale = std::exp2(-3 * random.real());
@@ -196,14 +197,7 @@ Frame random_frame(const Config& config, const RandomFrame& wish) {
 
 Config random_config(std::uint64_t seed) {
   Random random(seed);
-  Config config;
-  do {
-    for (const Parameter& parameter : parameters()) {
-      config.*parameter.member = random.between(parameter.minimum, parameter.maximum);
-    }
-    config.screen_bits = std::min(config.screen_bits, 10);
-  } while (!check(config).key.empty());
-  return config;
+  return random_config([&](int low, int high) { return random.between(low, high); }, 10);
 }
 
 }  // namespace wrinkle

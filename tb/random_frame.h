@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/draw.h"
 
 namespace wrinkle {
@@ -16,7 +16,8 @@ struct RandomFrame {
 };
 
 // Triangles of all sizes from below a sub-pixel to the whole guard band, both windings, slivers, on and off the screen;
-// any vectors, zero and opposed ones included; textures of random texels, sizes and wraps.
+// any vectors, zero and opposed ones included; textures of random texels, sizes and wraps. The digests that are kept
+// (docs/commands.md, "verify") draw these frames: what is drawn from the random numbers, and in what order, stays.
 Frame random_frame(const Config& config, const RandomFrame& wish);
 
 // A legal configuration with every parameter drawn at random.

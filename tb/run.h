@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tb/bench.h"
-#include "tb/model.h"
+#include "tb/tap_recorder.h"
 
 namespace wrinkle {
 
@@ -32,7 +32,7 @@ struct FirstDifference {
   std::uint64_t fragment = 0, cycle = 0;
   std::int64_t packet = -1;  // index in the words of the run
   std::optional<Fragment> golden, rtl;
-  const char* stage = "";     // where the port says it
+  std::string_view stage;     // where the port says it
   FragmentValues rtl_values;  // when tapped
 };
 
@@ -51,10 +51,10 @@ struct Run {
   std::uint64_t fragments = 0, cycles = 0, mismatches = 0, zero_vectors = 0;
   std::optional<FirstDifference> first, bad_request;
   bool stopped = false;
-  bool idle = false;     // the core came to its end by itself
-  bool surplus = false;  // the golden model has ended and the RTL has not: it may never
-  std::uint64_t stage_transfers[kStages] = {};
-  Taps last_taps;  // at the end of a tapped run
+  bool idle = false;                 // the core came to its end by itself
+  bool surplus = false;              // the golden model has ended and the RTL has not: it may never
+  PerStage<StageTap> stages{};       // at the end of a tapped run
+  std::vector<bool> visible_values;  // as values(config); of a tapped run
   std::exception_ptr error;
 
   // The core reports what it meets ahead of the scoreboard: the earliest fragment counts.

@@ -31,8 +31,7 @@ class Testbench : public sc_core::sc_module {
   }
 
   void simulate(Run& run) {
-    const Config& config = *run.config;
-    memory_.load(*run.textures, config.texel_components() * config.texel_bits, run.options->dmi);
+    memory_.load(*run.textures, run.options->dmi);
     words_.open();
     fragments_.open();
     checked_.open();
@@ -55,7 +54,7 @@ class Testbench : public sc_core::sc_module {
   PacketDriver driver_{"driver", start_};
   Core core_{"core", start_};
   TextureMemory memory_{"memory"};
-  QuadFetch fetch_{"fetch", memory_};
+  QuadFetch fetch_{"fetch", memory_.directory()};
   FragmentMonitor monitor_{"monitor", start_};
   GoldenSource golden_{"golden", start_};
   Scoreboard scoreboard_{"scoreboard", start_};

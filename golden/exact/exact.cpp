@@ -5,12 +5,12 @@
 namespace wrinkle {
 
 void draw_exact(const Config& config, const Frame& frame, const ExactSink& sink) {
-  exact::for_each_fragment(config, frame,
-                           [&](const exact::DrawContext& draw, const ScreenTriangle&, const Corners&,
-                               const exact::Weights&, ExactFragment& fragment) {
-                             exact::shade(draw, fragment);
-                             sink(fragment);
-                           });
+  const auto put = [](const exact::DrawContext& draw, exact::Interpolator& triangle, int x, int y, std::size_t i,
+                      exact::Fragments& batch) { triangle.put(draw, x, y, i, batch); };
+  exact::for_each_batch(Shape(config), frame, put, [&](const exact::DrawContext& draw, exact::Fragments& batch) {
+    exact::run_stages(draw, kAllStages, batch);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) sink(batch.fragment(i));
+  });
 }
 
 }  // namespace wrinkle

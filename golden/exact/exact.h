@@ -6,25 +6,19 @@
 #include <functional>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/draw.h"
 
 namespace wrinkle {
 
-// One fragment in float64. Names and order as components.def; colour in [0, 1] before quantisation.
+// One fragment in float64.
 struct ExactFragment {
   std::int32_t x = 0, y = 0;
   std::uint32_t triangle = 0;  // ScreenTriangle::id
   std::uint32_t draw = 0;
-  Vec3 interpolated_n, interpolated_l, interpolated_h;  // h: of E where the lighting asks for it
-  Vec3 interpolated_a, interpolated_b, interpolated_c;  // Pu x Pv, Pv x N, N x Pu with one scale
-  double u = 0, v = 0, q = 1, lod = 0, z = 0;
-  Vec3 texture_n, decal{1, 1, 1};
-  Vec2 gradient;  // fu, fv of full scale 1
-  Vec3 perturbed_n;
-  Vec3 n, l, h;  // unit, or as interpolated where the normalizer is `none`
-  double nl = 0, nh = 0, diffuse = 0, specular = 0;
-  Vec3 colour;
+#define WRINKLE_EXACT(type, name, initial) type name = initial;
+#include "golden/exact/fragment.def"
+#undef WRINKLE_EXACT
 };
 
 using ExactSink = std::function<void(const ExactFragment&)>;

@@ -57,23 +57,36 @@ void shade_surface(const exact::DrawContext& context, const IdealScene& ideal, c
   fragment.colour = exact::output(context.reflectance, fragment.decal, lit);
 }
 
+// Where each fragment of a batch lies on the analytic surface; null where it has none.
+struct Places {
+  std::array<const wrinkle::Surface*, exact::kColumnLength> surface;
+  std::array<Vec2, exact::kColumnLength> parameter;
+};
+
 }  // namespace
 
 void draw_ideal(const Config& config, const Frame& frame, const ExactSink& sink) {
-  const auto visit = [&](const exact::DrawContext& draw, const ScreenTriangle& triangle, const Corners& corners,
-                         const exact::Weights& weights, ExactFragment& fragment) {
-    if (triangle.surface) {
-      const std::size_t index = fragment.draw;
-      const HeightField* height = index < frame.ideal.height.size() ? frame.ideal.height[index].get() : nullptr;
-      const Vec2 parameter = parameter_at(corners, weights);
-      const SurfacePoint point = triangle.surface->at(parameter.x, parameter.y);
-      shade_surface(draw, frame.ideal, height, point, parameter, fragment);
-    } else {
-      exact::shade(draw, fragment);
-    }
-    sink(fragment);
+  Places places;
+  const auto put = [&](const exact::DrawContext& draw, exact::Interpolator& triangle, int x, int y, std::size_t i,
+                       exact::Fragments& batch) {
+    triangle.put(draw, x, y, i, batch);
+    places.surface[i] = triangle.triangle().surface.get();
+    if (places.surface[i] != nullptr) places.parameter[i] = parameter_at(triangle.corners(), triangle.weights(x, y));
   };
-  exact::for_each_fragment(config, frame, visit);
+  exact::for_each_batch(Shape(config), frame, put, [&](const exact::DrawContext& draw, exact::Fragments& batch) {
+    const std::size_t index = batch.draw;
+    const HeightField* height = index < frame.ideal.height.size() ? frame.ideal.height[index].get() : nullptr;
+    exact::run_stages(draw, kAllStages, batch);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+      ExactFragment fragment = batch.fragment(i);
+      if (places.surface[i] != nullptr) {
+        const Vec2 parameter = places.parameter[i];
+        const SurfacePoint point = places.surface[i]->at(parameter.x, parameter.y);
+        shade_surface(draw, frame.ideal, height, point, parameter, fragment);
+      }
+      sink(fragment);
+    }
+  });
 }
 
 }  // namespace wrinkle

@@ -21,7 +21,7 @@ struct Weights {
 
 class Barycentric {
  public:
-  Barycentric(const Config& config, const Corners& corners)
+  Barycentric(const Shape& config, const Corners& corners)
       : planes_(half_planes(corners, config.subpixel_bits)),
         per_area_(1 / std::abs(static_cast<double>(corners.area))) {}
 
@@ -42,7 +42,7 @@ struct Interpolated {
   double u = 0, v = 0, q = 1, lod = 0, z = 0;
 };
 
-// log2(rho) of log2 of the square, within [lowest, highest].
+// The level of detail: log2(rho), computed from the square of rho and clamped to [lowest, highest].
 inline double level(double rho_squared, double lowest, double highest) {
   return rho_squared > 0 ? std::clamp(std::log2(rho_squared) / 2, lowest, highest) : lowest;
 }
@@ -50,11 +50,11 @@ inline double level(double rho_squared, double lowest, double highest) {
 // The corner values of one triangle.
 class Attributes {
  public:
-  Attributes(const Config& config, const Corners& corners, const DrawWords& draw) {
+  Attributes(const Shape& config, const Corners& corners, const DrawWords& draw) {
     n_ = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
     l_ = vector_corners(config, corners, &ScreenVertex::L, config.normalizer_l);
-    h_ = vector_corners(config, corners, &ScreenVertex::H, config.third_normalizer());
-    if (config.has_blinn()) cross_ = cross_corners(config, corners, draw);
+    h_ = vector_corners(config, corners, &ScreenVertex::H, config.third_normalizer);
+    if (config.frame_unbounded != 0) cross_ = cross_corners(config, corners, draw);
     for (std::size_t i = 0; i < 3; ++i) z_[i] = depth_in_format(config, corners.v[i]->z);
     if (!draw.textured) return;
     const TextureCorners texture = texture_corners(config, corners, draw);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/packet.h"
 #include "golden/vector.h"
 
@@ -14,7 +14,7 @@ struct Lit {
 };
 
 // The share of the light that the unperturbed surface lets through, by its cosine.
-inline double self_shadow(const Config& config, double cosine) {
+inline double self_shadow(const Shape& config, double cosine) {
   return config.self_shadow == static_cast<int>(SelfShadow::kHard) ? (cosine > 0 ? 1 : 0) : std::min(8 * cosine, 1.0);
 }
 
@@ -24,23 +24,34 @@ inline double reflected(Vec3 n, Vec3 l, Vec3 e) {
   return dot(n, l) > 0 ? 2 * cosine(dot(n, l)) * cosine(dot(n, e)) - dot(l, e) : 0;
 }
 
-// `h` is E with lighting = reflection. `surface_cosine`: N.L of the unperturbed surface; in tangent space L.z.
-inline Lit light(const Config& config, const DrawWords& draw, Vec3 n, Vec3 l, Vec3 h, double surface_cosine) {
+// N.L and N.H, or R.E; `h` is E with lighting = reflection.
+inline void dots(const Shape& config, Vec3 n, Vec3 l, Vec3 h, Lit& lit) {
+  lit.nl = std::clamp(dot(n, l), 0.0, 1.0);
+  if (config.glossy != 0)
+    lit.nh = std::clamp(config.is(Lighting::kReflection) ? reflected(n, l, h) : dot(n, h), 0.0, 1.0);
+}
+
+// All behind the dot products. `surface_cosine`: N.L of the unperturbed surface; in tangent space L.z.
+inline void power(const Shape& config, const DrawWords& draw, double surface_cosine, Lit& lit) {
   const auto cosine = [](double x) { return std::clamp(x, 0.0, 1.0); };
-  Lit lit;
-  lit.nl = cosine(dot(n, l));
-  lit.diffuse = lit.nl;
-  if (config.has_specular()) {
-    lit.nh = cosine(config.is(Lighting::kReflection) ? reflected(n, l, h) : dot(n, h));
-    lit.specular = draw.exponent_zero ? 1 : lit.nh;
+  const double nl = cosine(lit.nl);
+  lit.diffuse = nl;
+  lit.specular = 0;
+  if (config.glossy != 0) {
+    lit.specular = draw.exponent_zero ? 1 : cosine(lit.nh);
     for (int i = 0; !draw.exponent_zero && i < draw.squarings; ++i) lit.specular *= lit.specular;
   }
   if (draw.shadow) {
-    const double through =
-        self_shadow(config, config.has_texture_normal() && draw.bump ? cosine(surface_cosine) : lit.nl);
+    const double through = self_shadow(config, config.surface_is_z != 0 && draw.bump ? cosine(surface_cosine) : nl);
     lit.diffuse *= through;
-    lit.specular *= lit.nl > 0 ? through : 0;
+    lit.specular *= nl > 0 ? through : 0;
   }
+}
+
+inline Lit light(const Shape& config, const DrawWords& draw, Vec3 n, Vec3 l, Vec3 h, double surface_cosine) {
+  Lit lit;
+  dots(config, n, l, h, lit);
+  power(config, draw, surface_cosine, lit);
   return lit;
 }
 

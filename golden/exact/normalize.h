@@ -1,7 +1,7 @@
 // Twin of the stage `normalize`.
 #pragma once
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/vector.h"
 
 namespace wrinkle::exact {

@@ -14,7 +14,7 @@ struct Reflectance {
   Vec3 ambient, diffuse, specular;
 };
 
-inline Reflectance reflectance(const Config& config, const Material& material) {
+inline Reflectance reflectance(const Shape& config, const Material& material) {
   return {to_channels(config, material.ambient), to_channels(config, material.diffuse),
           to_channels(config, material.specular)};
 }

@@ -1,14 +1,15 @@
 // Twin of the stage `perspective`.
 #pragma once
 
-#include "golden/exact/interpolate.h"
+#include "golden/config/config.h"
+#include "golden/vector.h"
 
 namespace wrinkle::exact {
 
 // u, v of u*q, v*q.
-inline Vec2 divide(const Config& config, const Interpolated& interpolated) {
-  if (config.perspective == 0) return {interpolated.u, interpolated.v};
-  return {interpolated.u / interpolated.q, interpolated.v / interpolated.q};
+inline Vec2 divide(const Shape& config, double u, double v, double q) {
+  if (config.perspective == 0) return {u, v};
+  return {u / q, v / q};
 }
 
 }  // namespace wrinkle::exact

@@ -1,5 +1,7 @@
 #include "golden/exact/pipeline.h"
 
+#include <algorithm>
+
 #include "golden/exact/light.h"
 #include "golden/exact/normalize.h"
 #include "golden/exact/perspective.h"
@@ -7,55 +9,126 @@
 #include "golden/exact/texture.h"
 
 namespace wrinkle::exact {
+namespace {
 
-DrawContext draw_context(const Config& config, const Frame& frame, const Draw& draw) {
+template <class Visit>
+void for_each(const Fragments& batch, Visit&& visit) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) visit(i);
+}
+
+}  // namespace
+
+DrawContext draw_context(const Shape& config, const Frame& frame, const Draw& draw) {
   DrawContext context{config, quantise(config, draw.state, frame.textures), reflectance(config, draw.state.material),
                       draw.state.L, draw.state.H};
   if (context.words.textured) context.texture = &frame.exact_textures.at(static_cast<std::size_t>(draw.state.texture));
   return context;
 }
 
-void fetch(const DrawContext& draw, const Attributes& attributes, const Weights& weights, ExactFragment& fragment) {
-  const Interpolated interpolated = attributes.at(weights);
-  fragment.interpolated_n = interpolated.n;
-  fragment.interpolated_l = interpolated.l;
-  fragment.interpolated_h = interpolated.h;
-  fragment.interpolated_a = interpolated.a;
-  fragment.interpolated_b = interpolated.b;
-  fragment.interpolated_c = interpolated.c;
-  fragment.q = interpolated.q;
-  fragment.lod = interpolated.lod;
-  fragment.z = interpolated.z;
-  if (draw.texture == nullptr) return;
-  const Vec2 uv = divide(draw.config, interpolated);
-  fragment.u = uv.x;
-  fragment.v = uv.y;
-  const Sample texel = sample(draw.config, draw.words, *draw.texture, uv, interpolated.lod);
-  fragment.texture_n = {texel[0], texel[1], texel[2]};
-  if (draw.config.has_blinn()) {
-    fragment.gradient = {texel[0], texel[1]};
-    fragment.texture_n = {-texel[0], -texel[1], texel[2]};  // along the normal, where u and v are lengths
-  }
-  if (draw.config.decal != 0) fragment.decal = {texel[3], texel[4], texel[5]};
+Interpolator::Interpolator(const Shape& config, const ScreenTriangle& triangle)
+    : config_(&config),
+      triangle_(&triangle),
+      corners_(sort_corners(config, triangle)),
+      barycentric_(config, corners_) {}
+
+bool Interpolator::covers(int x, int y) const {
+  if (corners_.area == 0) return false;
+  const std::array<HalfPlane, 3> planes = half_planes(corners_, config_->subpixel_bits);
+  return std::all_of(planes.begin(), planes.end(),
+                     [&](const HalfPlane& plane) { return plane.at(x, y) >= plane.threshold(); });
 }
 
-void shade(const DrawContext& draw, ExactFragment& fragment) {
-  const Config& config = draw.config;
-  if (config.has_blinn())
-    fragment.perturbed_n = displace(draw.words, fragment.interpolated_a, fragment.interpolated_b,
-                                    fragment.interpolated_c, fragment.gradient);
-  else
-    fragment.perturbed_n = perturb(draw.words, fragment.interpolated_n, fragment.texture_n);
-  fragment.n = config.has_normal() ? normalize(config.normalizer_n, fragment.perturbed_n) : Vec3{0, 0, 1};
-  fragment.l = config.has_light_planes() ? normalize(config.normalizer_l, fragment.interpolated_l) : draw.l;
-  fragment.h = config.has_light_planes() ? normalize(config.third_normalizer(), fragment.interpolated_h) : draw.h;
-  if (config.is(Lighting::kPixelHalfangle)) fragment.h = wrinkle::normalize(fragment.l + fragment.h);
-  const Lit lit = light(config, draw.words, fragment.n, fragment.l, fragment.h, fragment.l.z);
-  fragment.nl = lit.nl;
-  fragment.nh = lit.nh;
-  fragment.diffuse = lit.diffuse;
-  fragment.specular = lit.specular;
-  fragment.colour = output(draw.reflectance, fragment.decal, lit);
+void Interpolator::put(const DrawContext& draw, int x, int y, std::size_t i, Fragments& batch) {
+  if (!attributes_) attributes_.emplace(*config_, corners_, draw.words);
+  batch.clear(i, i + 1);
+  batch.x[i] = x;
+  batch.y[i] = y;
+  batch.triangle[i] = triangle_->id;
+  const Interpolated at = attributes_->at(barycentric_.at(x, y));
+  batch.interpolated_n.set(i, at.n);
+  batch.interpolated_l.set(i, at.l);
+  batch.interpolated_h.set(i, at.h);
+  batch.interpolated_a.set(i, at.a);
+  batch.interpolated_b.set(i, at.b);
+  batch.interpolated_c.set(i, at.c);
+  batch.q.set(i, at.q);
+  batch.lod.set(i, at.lod);
+  batch.z.set(i, at.z);
+  batch.u.set(i, at.u);
+  batch.v.set(i, at.v);
+}
+
+void perspective(const DrawContext& draw, Fragments& batch) {
+  if (draw.texture == nullptr) return;
+  for_each(batch, [&](std::size_t i) {
+    const Vec2 uv = divide(draw.config, batch.u[i], batch.v[i], batch.q[i]);
+    batch.u.set(i, uv.x);
+    batch.v.set(i, uv.y);
+  });
+}
+
+void texture(const DrawContext& draw, const ExactTexture* texels, Fragments& batch) {
+  if (texels == nullptr) return;
+  for_each(batch, [&](std::size_t i) {
+    const Sample texel = sample(draw.config, draw.words, *texels, {batch.u[i], batch.v[i]}, batch.lod[i]);
+    batch.texture_n.set(i, {texel[0], texel[1], texel[2]});
+    if (draw.config.frame_unbounded != 0) {
+      batch.gradient.set(i, {texel[0], texel[1]});
+      // Along the normal (-fu, -fv, 1), where u and v are lengths; the third component has the scale of the others.
+      batch.texture_n.set(i, {-texel[0], -texel[1], texel[2]});
+    }
+    if (draw.config.decal != 0) batch.decal.set(i, {texel[3], texel[4], texel[5]});
+  });
+}
+
+void perturb(const DrawContext& draw, Fragments& batch) {
+  for_each(batch, [&](std::size_t i) { batch.perturbed_n.set(i, perturb(draw.config, draw.words, batch, i)); });
+}
+
+void normalize(const DrawContext& draw, Fragments& batch) {
+  const Shape& config = draw.config;
+  const bool has_planes = config.has_light_planes != 0;
+  for_each(batch, [&](std::size_t i) {
+    const Vec3 l = has_planes ? normalize(config.normalizer_l, batch.interpolated_l[i]) : draw.l;
+    const Vec3 h = has_planes ? normalize(config.third_normalizer, batch.interpolated_h[i]) : draw.h;
+    batch.n.set(i, config.normal_width != 0 ? normalize(config.normalizer_n, batch.perturbed_n[i]) : Vec3{0, 0, 1});
+    batch.l.set(i, l);
+    batch.h.set(i, config.is(Lighting::kPixelHalfangle) ? wrinkle::normalize(l + h) : h);
+  });
+}
+
+void dots(const DrawContext& draw, Fragments& batch) {
+  for_each(batch, [&](std::size_t i) {
+    Lit lit;
+    dots(draw.config, batch.n[i], batch.l[i], batch.h[i], lit);
+    batch.nl.set(i, lit.nl);
+    batch.nh.set(i, lit.nh);
+  });
+}
+
+void power(const DrawContext& draw, Fragments& batch) {
+  for_each(batch, [&](std::size_t i) {
+    Lit lit{batch.nl[i], batch.nh[i]};
+    power(draw.config, draw.words, batch.l[i].z, lit);
+    batch.diffuse.set(i, lit.diffuse);
+    batch.specular.set(i, lit.specular);
+  });
+}
+
+void output(const DrawContext& draw, Fragments& batch) {
+  for_each(batch, [&](std::size_t i) {
+    const Lit lit{batch.nl[i], batch.nh[i], batch.diffuse[i], batch.specular[i]};
+    batch.colour.set(i, output(draw.reflectance, batch.decal[i], lit));
+  });
+}
+
+void run_stages(const DrawContext& draw, unsigned stages, Fragments& batch) {
+  if (stages & kPerspective) perspective(draw, batch);
+  if (stages & kTexture) texture(draw, draw.texture, batch);
+  if (stages & kPerturb) perturb(draw, batch);
+  if (stages & kNormalize) normalize(draw, batch);
+  if (stages & kLight) dots(draw, batch), power(draw, batch);
+  if (stages & kOutput) output(draw, batch);
 }
 
 }  // namespace wrinkle::exact

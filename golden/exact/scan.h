@@ -41,7 +41,7 @@ inline std::array<HalfPlane, 3> half_planes(const Corners& corners, int subpixel
 
 // Calls span(y, first x, end x) for every row of [0, width) x [0, height) that has pixels.
 template <class Span>
-void scan(const Config& config, const Corners& corners, int width, int height, Span&& span) {
+void scan(const Shape& config, const Corners& corners, int width, int height, Span&& span) {
   if (corners.area == 0) return;
   const std::array<HalfPlane, 3> planes = half_planes(corners, config.subpixel_bits);
   const int top = std::max(corners.v[0]->y >> config.subpixel_bits, 0);

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/packet.h"
 #include "golden/vector.h"
@@ -38,7 +38,7 @@ struct Tap {
   std::int64_t first, second;
   double fraction;
 };
-inline Tap tap(const Config& config, int wrap, double coordinate, int size) {
+inline Tap tap(const Shape& config, int wrap, double coordinate, int size) {
   const bool nearest = config.filter == static_cast<int>(Filter::kNearest);
   const double t = coordinate * size - (nearest ? 0 : 0.5);
   const std::int64_t i = floor_to_integer(t);
@@ -47,7 +47,7 @@ inline Tap tap(const Config& config, int wrap, double coordinate, int size) {
 }
 
 // Adds `weight` times the sample of one mip level.
-inline void sample_level(const Config& config, const DrawWords& draw, const ExactTexture& texture, int level, Vec2 uv,
+inline void sample_level(const Shape& config, const DrawWords& draw, const ExactTexture& texture, int level, Vec2 uv,
                          double weight, Sample& sample) {
   const Tap x = tap(config, draw.wrap_u, uv.x, texture.width(level));
   const Tap y = tap(config, draw.wrap_v, uv.y, texture.height(level));
@@ -64,11 +64,11 @@ inline void sample_level(const Config& config, const DrawWords& draw, const Exac
 }
 
 // Without a trilinear filter the nearest level. `lod` of any size; clamped to the chain.
-inline Sample sample(const Config& config, const DrawWords& draw, const ExactTexture& texture, Vec2 uv, double lod) {
+inline Sample sample(const Shape& config, const DrawWords& draw, const ExactTexture& texture, Vec2 uv, double lod) {
   Sample result{};
   const double inside = std::clamp(lod, 0.0, static_cast<double>(texture.max_level()));
-  const int a = static_cast<int>(config.trilinear() ? inside : inside + 0.5);
-  const double fraction = config.trilinear() ? inside - a : 0;
+  const int a = static_cast<int>(config.trilinear != 0 ? inside : inside + 0.5);
+  const double fraction = config.trilinear != 0 ? inside - a : 0;
   sample_level(config, draw, texture, a, uv, 1 - fraction, result);
   if (fraction > 0) sample_level(config, draw, texture, a + 1, uv, fraction, result);
   return result;

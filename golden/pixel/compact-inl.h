@@ -41,7 +41,7 @@ HWY_INLINE typename L::V compact_rsqrt(const L& l, const CompactRsqrtGeometry& g
 
 // m r >> Q: the rows' parts below the cut are taken out of the whole product.
 template <class L>
-HWY_INLINE typename L::V cut_product(const L& l, const CompactGeometry& g, typename L::V m, typename L::V r) {
+HWY_INLINE typename L::V truncated_product(const L& l, const CompactGeometry& g, typename L::V m, typename L::V r) {
   auto product = l.add(l.mul_half(m, r), l.set(static_cast<typename L::Int>(g.product_constant)));
   const auto dropped = l.set((1 << g.product_cut) - 1);
   for (int i = 0; i < g.product_cut; i += 2)
@@ -51,7 +51,7 @@ HWY_INLINE typename L::V cut_product(const L& l, const CompactGeometry& g, typen
 
 // m^2 without the square of its low bits.
 template <class L>
-HWY_INLINE typename L::V cut_square(const L& l, const CompactGeometry& g, typename L::V m) {
+HWY_INLINE typename L::V truncated_square(const L& l, const CompactGeometry& g, typename L::V m) {
   const auto low = l.and_(m, l.set((1 << g.square_cut) - 1));
   return l.sub(l.mul_half(m, m), l.mul_half(low, low));
 }
@@ -88,14 +88,14 @@ HWY_INLINE Triple<L> normalize_compact(const L& l, const CompactGeometry& g, con
     const auto shift = l.sub(l.set(p - 1), l.floor_log2(l.max(any, l.set(1))));
     m = {l.shl_each(m.x, shift), l.shl_each(m.y, shift), l.shl_each(m.z, shift)};
   }
-  const auto squared = [&](typename L::V a) HWY_ATTR { return cut_square(l, g, l.sar(a, p - g.square_bits)); };
+  const auto squared = [&](typename L::V a) HWY_ATTR { return truncated_square(l, g, l.sar(a, p - g.square_bits)); };
   const auto sum =
       l.add(l.add(squared(m.x), squared(m.y)), l.add(squared(m.z), l.set(static_cast<Int>(g.square_constant))));
   auto e = l.set(0);
   const auto t = leading_bits<kKind>(l, g, sum, e);
   const auto r = compact_rsqrt<kIsSmall>(l, g.rsqrt, table, t, e);
   const auto component = [&](typename L::V a, typename L::V sign_of) HWY_ATTR {
-    const auto n = cut_product(l, g, a, r);
+    const auto n = truncated_product(l, g, a, r);
     return l.select(l.less(sign_of, l.set(0)), l.sub(l.set(0), n), n);
   };
   return {component(m.x, v.x), component(m.y, v.y), component(m.z, v.z)};

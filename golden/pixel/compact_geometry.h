@@ -14,7 +14,7 @@
 #include <array>
 #include <cstdint>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/pixel/compact_rsqrt.h"
 
 namespace wrinkle {

@@ -32,7 +32,7 @@ void fill(const Context& context, Tables<Int>& tables) {
 
 }  // namespace
 
-Context make_context(const Config& config) {
+Context make_context(const Shape& config) {
   Context context;
   context.config = config;
   for (const ComponentFormat& format : component_formats(config))

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/pixel/bound_texture.h"
 #include "golden/pixel/reciprocal.h"
 #include "golden/pixel/rsqrt.h"
@@ -32,7 +32,7 @@ struct Tables {
 // compiler knows.
 template <class Int>
 struct Constants {
-  Config config;
+  Shape config;
   DrawWords draw;
   RsqrtGeometry rsqrt;
   ReciprocalGeometry reciprocal;
@@ -49,7 +49,7 @@ struct Plane {
 };
 
 struct Context {
-  Config config;
+  Shape config = Config();
   DrawWords draw;
   std::vector<Plane> planes;
   RsqrtGeometry rsqrt;
@@ -80,7 +80,7 @@ struct Context {
 };
 
 // The configuration must be legal.
-Context make_context(const Config& config);
+Context make_context(const Shape& config);
 // Replaces the draw state; `texture` as DrawWords::texture names it, null where nothing is fetched.
 void set_draw(Context& context, const DrawWords& draw, std::shared_ptr<const BoundTexture> texture);
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "golden/pixel/lane_bits.h"
 #include "golden/pixel/row_engine.h"
 #include "golden/pixel/stages.h"
 
@@ -26,7 +27,8 @@ class Gatherer {
     if (drawn) spans_->span[static_cast<std::size_t>(spans_->count - 1)].last = true;
   }
 
-  // Called only when another fragment or nothing follows: till then the last pixel of a packet may yet be marked.
+  // Hands on the batch. This must be called late, when the next fragment is there or none is left: until then the last
+  // fragment of the batch may still turn out to be the last of its packet.
   void flush() {
     if (batch_->count == 0) return;
     run_stages(lanes_, context_, kAllStages, *spans_, *batch_);
@@ -76,7 +78,7 @@ struct Golden::State {
 
   // The private copy of a texture for the wrap modes of a draw, made when first met.
   std::shared_ptr<const BoundTexture> texture_of(const DrawWords& draw) {
-    if (!draw.textured || !context.config.has_texture()) return nullptr;
+    if (!draw.textured || !context.config.textured) return nullptr;
     auto& copy = bound[{draw.texture, draw.wrap_u, draw.wrap_v}];
     if (copy == nullptr)
       copy =
@@ -89,7 +91,7 @@ struct Golden::State {
   void draw(std::span<const std::uint64_t> words, const std::function<void(const Batch<Int>&)>& hand) {
     Gatherer<Int> gatherer(lanes, context, hand);
     const auto triangle_words = static_cast<std::size_t>(triangle_word_count(context.config));
-    const auto draw_words = static_cast<std::size_t>(context.config.draw_words());
+    const auto draw_words = static_cast<std::size_t>(context.config.draw_words);
     std::uint32_t packet = 0;
     while (!words.empty()) {
       const bool is_triangle = (words[0] & 15) == kOpcodeTriangle;
@@ -108,7 +110,7 @@ struct Golden::State {
   }
 };
 
-Golden::Golden(const Config& config, const std::vector<Texture>& textures, Lanes lanes)
+Golden::Golden(const Shape& config, const std::vector<Texture>& textures, Lanes lanes)
     : state_(new State{lanes, textures, make_context(config), {}}) {}
 Golden::~Golden() = default;
 Golden::Golden(Golden&&) noexcept = default;

@@ -89,7 +89,7 @@ void interpolate(const L& l, const Context& c, const Spans<typename L::Int>& spa
     auto* out = plane_column(batch, plane.component);
     plane.is_signed ? interpolate_plane<true>(l, plane, spans, out) : interpolate_plane<false>(l, plane, spans, out);
   }
-  if (!c.config.has_texture() || c.config.perspective != 0) return;
+  if (!c.config.textured || c.config.perspective != 0) return;
   auto* lod = batch.interpolate_lod[0].data();
   for (int s = 0; s < spans.count; ++s) {
     const auto& span = spans.span[static_cast<std::size_t>(s)];

@@ -23,26 +23,26 @@ HWY_INLINE typename L::V dot_product(const L& l, const Columns& a, const Columns
 
 // A cosine with 2F fraction bits to u1.DF.
 template <class L>
-HWY_INLINE typename L::V clamped(const L& l, const Config& c, typename L::V cosine) {
+HWY_INLINE typename L::V clamped(const L& l, const Shape& c, typename L::V cosine) {
   const auto positive = round_half_up(l, l.max(cosine, l.set(0)), 2 * c.unit_bits - c.dot_bits);
   return l.min(positive, l.set(1 << c.dot_bits));
 }
 
 // The cosine of two vectors that are not of unit length: their mantissas' dot product by the product of their scales.
 template <class L, class Batch>
-HWY_INLINE typename L::V scaled_cosine(const L& l, const Config& c, const Batch& batch, bool is_h, std::size_t i) {
+HWY_INLINE typename L::V scaled_cosine(const L& l, const Shape& c, const Batch& batch, bool is_h, std::size_t i) {
   const auto dot = dot_product(l, batch.normalize_n, is_h ? batch.normalize_h : batch.normalize_l, i);
   const int bits = c.dot_bits;
   const auto d = round_half_up(l, l.max(dot, l.set(0)), 2 * c.unit_bits - bits);
   const auto product =
       l.mul_half(l.load(&batch.normalize_scale[0][i]), l.load(&batch.normalize_scale[is_h ? 2 : 1][i]));
-  const auto scale = round_half_up(l, product, 2 * c.scale_bits() - bits);
+  const auto scale = round_half_up(l, product, 2 * c.scale_bits - bits);
   return l.min(round_half_up(l, l.mul_half(d, scale), bits), l.set(1 << bits));
 }
 
 // R.E of the reflection R = 2 (N.L) N - L of the light; 0 where the light is below the surface.
 template <class L, class Batch>
-HWY_INLINE typename L::V reflected(const L& l, const Config& c, const Batch& batch, std::size_t i) {
+HWY_INLINE typename L::V reflected(const L& l, const Shape& c, const Batch& batch, std::size_t i) {
   const auto n_l = dot_product(l, batch.normalize_n, batch.normalize_l, i);
   const auto n_e = dot_product(l, batch.normalize_n, batch.normalize_h, i);
   const auto l_e = dot_product(l, batch.normalize_l, batch.normalize_h, i);
@@ -67,7 +67,7 @@ HWY_INLINE typename L::V shadow_factor(const L& l, const Constants<typename L::I
   const auto one = l.set(1 << c.config.dot_bits);
   const auto zero = l.set(0);
   const auto tangent = l.min(round_half_up(l, l.max(lz, zero), c.config.unit_bits - c.config.dot_bits), one);
-  const auto source = c.config.has_texture_normal() && c.draw.bump ? tangent : nl;
+  const auto source = c.config.surface_is_z != 0 && c.draw.bump ? tangent : nl;
   if (c.config.self_shadow == static_cast<int>(SelfShadow::kHard)) return l.select(l.less(zero, source), one, zero);
   return l.min(l.shl(source, 3), one);
 }
@@ -77,7 +77,7 @@ void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
   const bool shadow = c.draw.shadow && c.config.self_shadow != static_cast<int>(SelfShadow::kOff);
   const bool reflection = c.config.is(Lighting::kReflection);
-  const bool after = c.config.normalizes_after();
+  const bool after = c.config.normalizes_after;
   const int df = c.config.dot_bits;
   for (int first = 0; first < batch.count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
@@ -86,7 +86,7 @@ void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
     const auto factor = shadow ? shadow_factor(l, c, l.load(&batch.normalize_l[2][i]), nl) : l.set(1 << df);
     l.store(nl, &batch.light_nl[0][i]);
     l.store(shadow ? round_half_up(l, l.mul_half(nl, factor), df) : nl, &batch.light_diffuse[0][i]);
-    if (!c.config.has_specular()) continue;
+    if (!c.config.glossy) continue;
     const auto nh = after        ? scaled_cosine(l, c.config, batch, true, i)
                     : reflection ? reflected(l, c.config, batch, i)
                                  : clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_h, i));

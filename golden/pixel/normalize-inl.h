@@ -6,6 +6,8 @@
 #define GOLDEN_PIXEL_NORMALIZE_INL_H_
 #endif
 
+#include <algorithm>
+
 #include "golden/pixel/compact-inl.h"
 #include "golden/pixel/context.h"
 #include "golden/pixel/lanes-inl.h"
@@ -31,10 +33,21 @@ HWY_INLINE typename L::V rsqrt(const L& l, const Constants<typename L::Int>& c, 
   return l.min(r, l.set((2 << g.output_bits) - 1));
 }
 
+// A unit takes vectors in s1.V and hands on unit vectors in s1.F.
+struct UnitShape {
+  int input_bits;  // V
+  int unit_bits;   // F
+
+  int magnitude_bits() const { return input_bits + 1; }
+  // Bits of the mantissa of a vector that is normalized after: of the magnitude the leading F.
+  int mantissa_bits() const { return std::min(magnitude_bits(), unit_bits); }
+};
+
 template <bool kIsSmall, class L>
-HWY_INLINE Triple<L> normalize_faithful(const L& l, const Constants<typename L::Int>& c, const Triple<L>& v) {
+HWY_INLINE Triple<L> normalize_faithful(const L& l, const Constants<typename L::Int>& c, UnitShape unit,
+                                        const Triple<L>& v) {
   const RsqrtGeometry& g = c.rsqrt;
-  const int p = c.config.vector_bits + 1;
+  const int p = unit.magnitude_bits();
   const auto limit = l.set((1 << p) - 1);
   const auto zero = l.set(0);
   const auto magnitude = [&](typename L::V a) HWY_ATTR { return l.min(l.abs(a), limit); };
@@ -49,7 +62,7 @@ HWY_INLINE Triple<L> normalize_faithful(const L& l, const Constants<typename L::
   const int padded = std::max(-dropped, 0);
   const auto aligned = l.shl_each(sum, l.sub(l.set(2 + padded), l.add(e, e)));
   const auto r = rsqrt<kIsSmall>(l, c, l.sar(aligned, std::max(dropped, 0)));
-  const int down = p + g.output_bits - c.config.unit_bits;
+  const int down = p + g.output_bits - unit.unit_bits;
   const auto half = l.shl_each(l.set(1 << (down - 1)), e);
   const auto shift_down = l.add(l.set(down), e);
   const auto scale = [&](typename L::V a, typename L::V sign_of) HWY_ATTR {
@@ -67,9 +80,10 @@ struct Deferred {
 };
 
 template <bool kIsSmall, class L>
-HWY_INLINE Deferred<L> mantissa_and_scale(const L& l, const Constants<typename L::Int>& c, const Triple<L>& v) {
+HWY_INLINE Deferred<L> mantissa_and_scale(const L& l, const Constants<typename L::Int>& c, UnitShape unit,
+                                          const Triple<L>& v) {
   const RsqrtGeometry& g = c.rsqrt;
-  const int p = c.config.vector_bits + 1, bits = c.config.mantissa_bits(c.config.vector_bits);
+  const int p = unit.magnitude_bits(), bits = unit.mantissa_bits();
   const auto limit = l.set((1 << p) - 1), one = l.set(1), zero = l.set(0);
   const auto magnitude = [&](typename L::V a) HWY_ATTR { return l.min(l.abs(a), limit); };
   const Triple<L> whole{magnitude(v.x), magnitude(v.y), magnitude(v.z)};
@@ -84,16 +98,16 @@ HWY_INLINE Deferred<L> mantissa_and_scale(const L& l, const Constants<typename L
   const auto aligned = l.shl_each(sum, l.sub(l.set(2 + padded), l.add(e, e)));
   const auto s = l.sar_each(rsqrt<kIsSmall>(l, c, l.sar(aligned, std::max(dropped, 0))), e);
   const auto with_sign = [&](typename L::V a, typename L::V sign_of) HWY_ATTR {
-    const auto n = l.shl(a, c.config.unit_bits - bits);
+    const auto n = l.shl(a, unit.unit_bits - bits);
     return l.select(l.less(sign_of, zero), l.sub(zero, n), n);
   };
   return {{with_sign(m.x, v.x), with_sign(m.y, v.y), with_sign(m.z, v.z)}, s};
 }
 
 template <class L>
-HWY_INLINE Triple<L> normalize_none(const L& l, const Constants<typename L::Int>& c, const Triple<L>& v) {
-  const int shift = c.config.vector_bits - c.config.unit_bits;
-  const typename L::Int limit = typename L::Int{2} << c.config.unit_bits;
+HWY_INLINE Triple<L> normalize_none(const L& l, UnitShape unit, const Triple<L>& v) {
+  const int shift = unit.input_bits - unit.unit_bits;
+  const typename L::Int limit = typename L::Int{2} << unit.unit_bits;
   const auto scale = [&](typename L::V a)
                          HWY_ATTR { return saturate(l, round_half_up(l, a, shift), -limit, limit - 1); };
   return {scale(v.x), scale(v.y), scale(v.z)};
@@ -121,9 +135,9 @@ HWY_INLINE void normalize_columns(const L& l, const Columns& in, Columns& out, t
 }
 
 template <Normalizer kKind, class L, class Columns>
-void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, int input_bits, const Columns& in,
+void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, UnitShape unit, const Columns& in,
                                Columns& out, typename Columns::value_type& zero, int count) {
-  const CompactGeometry g = compact_geometry(kKind, c.config.unit_bits, input_bits);
+  const CompactGeometry g = compact_geometry(kKind, unit.unit_bits, unit.input_bits);
   const auto* table = kKind == Normalizer::kLite ? c.lite_rsqrt_table : c.compact_rsqrt_table;
   if ((std::size_t{2} << g.rsqrt.segment_bits) <= kSmallTable)
     normalize_columns(l, in, out, zero, count,
@@ -133,30 +147,31 @@ void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, 
                       [&](const Triple<L>& v) HWY_ATTR { return normalize_compact<kKind, false>(l, g, table, v); });
 }
 
-// The kind of unit is chosen outside of its loop. Its input is s1.V with V = `input_bits`.
+// The kind of unit is chosen outside of its loop.
 template <class L, class Columns>
 void normalize_unit(const L& l, const Context& context, int normalizer, int input_bits, const Columns& in, Columns& out,
                     typename Columns::value_type& zero, int count) {
-  auto c = context.constants<typename L::Int>();
-  c.config.vector_bits = input_bits;
+  const auto c = context.constants<typename L::Int>();
+  const UnitShape unit{input_bits, c.config.unit_bits};
   switch (static_cast<Normalizer>(normalizer)) {
     case Normalizer::kNone:
-      normalize_columns(l, in, out, zero, count, [&](const Triple<L>& v) HWY_ATTR { return normalize_none(l, c, v); });
+      normalize_columns(l, in, out, zero, count,
+                        [&](const Triple<L>& v) HWY_ATTR { return normalize_none(l, unit, v); });
       return;
     case Normalizer::kFaithful:
       if ((std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable)
         normalize_columns(l, in, out, zero, count,
-                          [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<true>(l, c, v); });
+                          [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<true>(l, c, unit, v); });
       else
         normalize_columns(l, in, out, zero, count,
-                          [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<false>(l, c, v); });
+                          [&](const Triple<L>& v) HWY_ATTR { return normalize_faithful<false>(l, c, unit, v); });
       return;
     case Normalizer::kCompact:
-      return normalize_columns_compact<Normalizer::kCompact>(l, c, input_bits, in, out, zero, count);
+      return normalize_columns_compact<Normalizer::kCompact>(l, c, unit, in, out, zero, count);
     case Normalizer::kLite:
-      return normalize_columns_compact<Normalizer::kLite>(l, c, input_bits, in, out, zero, count);
+      return normalize_columns_compact<Normalizer::kLite>(l, c, unit, in, out, zero, count);
     case Normalizer::kNear:
-      return normalize_columns_compact<Normalizer::kNear>(l, c, input_bits, in, out, zero, count);
+      return normalize_columns_compact<Normalizer::kNear>(l, c, unit, in, out, zero, count);
   }
 }
 
@@ -164,13 +179,14 @@ void normalize_unit(const L& l, const Context& context, int normalizer, int inpu
 template <class L, class Columns>
 void defer_unit(const L& l, const Context& context, int input_bits, const Columns& in, Columns& out,
                 typename Columns::value_type& scale, typename Columns::value_type& zero, int count) {
-  auto c = context.constants<typename L::Int>();
-  c.config.vector_bits = input_bits;
+  const auto c = context.constants<typename L::Int>();
+  const UnitShape unit{input_bits, c.config.unit_bits};
   const bool is_small = (std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable;
   for (int first = 0; first < count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
     const auto to_scale = [&](const Triple<L>& v) HWY_ATTR {
-      const Deferred<L> d = is_small ? mantissa_and_scale<true>(l, c, v) : mantissa_and_scale<false>(l, c, v);
+      const Deferred<L> d =
+          is_small ? mantissa_and_scale<true>(l, c, unit, v) : mantissa_and_scale<false>(l, c, unit, v);
       l.store(d.s, &scale[i]);
       return d.m;
     };
@@ -200,36 +216,36 @@ void normalize_halfangle(const L& l, const Context& c, Batch<typename L::Int>& b
 
 template <class L>
 void defer(const L& l, const Context& c, Batch<typename L::Int>& batch) {
-  const Config& config = c.config;
+  const Shape& config = c.config;
   auto& zero = batch.normalize_zero[0];
   auto& scale = batch.normalize_scale;
   const int count = batch.count;
-  defer_unit(l, c, config.normal_unit_input_bits(), batch.perturb_n, batch.normalize_n, scale[0], zero, count);
+  defer_unit(l, c, config.normal_input_bits, batch.perturb_n, batch.normalize_n, scale[0], zero, count);
   defer_unit(l, c, config.vector_bits, batch.interpolate_l, batch.normalize_l, scale[1], zero, count);
-  if (!config.has_specular()) return;
+  if (!config.glossy) return;
   defer_unit(l, c, config.vector_bits, batch.interpolate_h, batch.normalize_h, scale[2], zero, count);
 }
 
 template <class L>
 void normalize(const L& l, const Context& c, Batch<typename L::Int>& batch) {
-  const Config& config = c.config;
+  const Shape& config = c.config;
   const int count = batch.count;
   auto& zero = batch.normalize_zero[0];
   std::fill_n(zero.begin(), count, 0);
-  if (config.normalizes_after()) return defer(l, c, batch);
-  if (config.has_normal())
-    normalize_unit(l, c, config.normalizer_n, config.normal_unit_input_bits(), batch.perturb_n, batch.normalize_n, zero,
+  if (config.normalizes_after) return defer(l, c, batch);
+  if (config.normal_width != 0)
+    normalize_unit(l, c, config.normalizer_n, config.normal_input_bits, batch.perturb_n, batch.normalize_n, zero,
                    count);
   else
     fill_constant(l, {0, 0, 1 << config.unit_bits}, batch.normalize_n, count);
-  if (config.has_light_planes()) {
+  if (config.has_light_planes) {
     normalize_unit(l, c, config.normalizer_l, config.vector_bits, batch.interpolate_l, batch.normalize_l, zero, count);
-    if (config.has_specular())
-      normalize_unit(l, c, config.third_normalizer(), config.vector_bits, batch.interpolate_h, batch.normalize_h, zero,
+    if (config.glossy)
+      normalize_unit(l, c, config.third_normalizer, config.vector_bits, batch.interpolate_h, batch.normalize_h, zero,
                      count);
   } else {
     fill_constant(l, c.draw.l, batch.normalize_l, count);
-    if (config.has_specular()) fill_constant(l, c.draw.h, batch.normalize_h, count);
+    if (config.glossy) fill_constant(l, c.draw.h, batch.normalize_h, count);
   }
   if (config.is(Lighting::kPixelHalfangle)) normalize_halfangle(l, c, batch);
 }

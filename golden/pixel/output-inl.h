@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 template <class L>
 HWY_INLINE typename L::V shade_channel(const L& l, const Constants<typename L::Int>& c, std::size_t k,
                                        typename L::V diffuse, typename L::V specular, const typename L::Int* decal) {
-  const Config& config = c.config;
+  const Shape& config = c.config;
   const int df = config.dot_bits, pf = config.power_bits, bits = config.colour_bits;
   auto base = l.add(l.shl(l.set(c.draw.ambient[k]), df), l.mul_half(l.set(c.draw.diffuse[k]), diffuse));
   if (config.decal != 0) {
@@ -34,10 +34,10 @@ HWY_INLINE typename L::V shade_channel(const L& l, const Constants<typename L::I
 template <class L>
 void output(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
-  for (std::size_t k = 0; k < static_cast<std::size_t>(c.config.channel_count()); ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(c.config.count); ++k) {
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);
-      const auto specular = c.config.has_specular() ? l.load(&batch.light_specular[0][i]) : l.set(0);
+      const auto specular = c.config.glossy ? l.load(&batch.light_specular[0][i]) : l.set(0);
       l.store(shade_channel(l, c, k, l.load(&batch.light_diffuse[0][i]), specular, &batch.texture_decal[k][i]),
               &batch.output_colour[k][i]);
     }

@@ -30,8 +30,8 @@ HWY_INLINE typename L::V reciprocal(const L& l, const Constants<typename L::Int>
 template <class L>
 void perspective(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
-  if (!c.config.has_texture() || c.config.perspective == 0) return;
-  const int wrap = L::kBits - c.config.uv_width();
+  if (!c.config.textured || c.config.perspective == 0) return;
+  const int wrap = L::kBits - c.config.uv_width;
   for (int i = 0; i < batch.count; i += l.size()) {
     const auto q = l.max(l.load(&batch.interpolate_q[0][static_cast<std::size_t>(i)]), l.set(1));
     const auto leading_zeros = l.sub(l.set(c.config.q_bits - 1), l.floor_log2(q));

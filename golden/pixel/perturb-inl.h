@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 template <class L>
 void select_normal(const L& l, const Context& c, Batch<typename L::Int>& batch) {
-  const auto& n = c.config.has_texture_normal() && c.draw.bump ? batch.texture_n : batch.interpolate_n;
+  const auto& n = c.config.bump_components != 0 && c.draw.bump ? batch.texture_n : batch.interpolate_n;
   for (std::size_t k = 0; k < 3; ++k)
     for (int i = 0; i < batch.count; i += l.size())
       l.store(l.load(&n[k][static_cast<std::size_t>(i)]), &batch.perturb_n[k][static_cast<std::size_t>(i)]);
@@ -44,9 +44,9 @@ void displace_normal(const L& l, const Context& context, Batch<typename L::Int>&
 
 template <class L>
 void perturb(const L& l, const Context& c, Batch<typename L::Int>& batch) {
-  if (c.config.has_blinn())
+  if (c.config.frame_vectors > 1)
     displace_normal(l, c, batch);
-  else if (c.config.has_normal())
+  else if (c.config.normal_width != 0)
     select_normal(l, c, batch);
 }
 

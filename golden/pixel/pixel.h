@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/packet.h"
 
@@ -38,14 +38,20 @@ struct Value {
   std::string_view stage, name;
   int elements, width, fraction_bits;
   bool is_signed, present;
+  std::string_view wire;  // of wrinkle_core, on which it lies from `lowest_bit` on, element 0 first
+  int lowest_bit;
 };
 // All values in pipeline order, those the configuration lacks included (present = false).
-std::vector<Value> values(const Config& config);
+std::vector<Value> values(const Shape& config);
 
 // One fragment's values: value_of[i][element], i as in values(). The common currency of golden, RTL taps and printers.
 using FragmentValues = std::vector<std::array<std::int64_t, 3>>;
 template <class Int>
 void extract(const Batch<Int>& batch, int index, FragmentValues& out);
+
+// Element of a value for all fragments of a batch; `value` as in values().
+template <class Int>
+const Int* column(const Batch<Int>& batch, std::size_t value, std::size_t element);
 
 // What leaves the hardware.
 struct Fragment {
@@ -68,7 +74,7 @@ std::string_view simd_target();
 class Golden {
  public:
   // The textures must outlive it.
-  Golden(const Config& config, const std::vector<Texture>& textures, Lanes lanes = Lanes::kSimd);
+  Golden(const Shape& config, const std::vector<Texture>& textures, Lanes lanes = Lanes::kSimd);
   ~Golden();
   Golden(Golden&&) noexcept;
   Golden& operator=(Golden&&) noexcept;

@@ -12,7 +12,7 @@ RowEngine<Int>::RowEngine(const Context& context, const TriangleWords& triangle)
       rows_(triangle.rows),
       rows_end0_(triangle.rows_end0),
       first_y_(triangle.y),
-      planes_(context.config.has_blinn() ? kPlanes : kPlanesWithoutCross) {
+      planes_(context.config.frame_vectors > 1 ? kPlanes : kPlanesWithoutCross) {
   for (const Plane& plane : context.planes) {
     const auto i = static_cast<std::size_t>(plane.component);
     const int up = static_cast<int>(8 * sizeof(Int)) - plane.width - plane.guard_bits;

@@ -1,4 +1,5 @@
 // The scalar instances, plain and checked, of the same source.
+#include "golden/pixel/lane_bits.h"
 #include "golden/pixel/stages-inl.h"
 
 namespace wrinkle {

@@ -17,7 +17,7 @@ std::unique_ptr<Batch<std::int64_t>> run_one(const Context& context, unsigned st
 
 }  // namespace
 
-std::array<std::int64_t, 3> normalize_vector(const Config& config, const std::array<std::int64_t, 3>& v) {
+std::array<std::int64_t, 3> normalize_vector(const Shape& config, const std::array<std::int64_t, 3>& v) {
   auto batch = std::make_unique<Batch<std::int64_t>>();
   for (std::size_t k = 0; k < 3; ++k) batch->perturb_n[k][0] = v[k];
   batch = run_one(make_context(config), kNormalize, std::move(batch));
@@ -29,7 +29,7 @@ std::int64_t rsqrt_of(int unit_bits, std::int64_t t) {
   return rsqrt(g, rsqrt_table(g), t);
 }
 
-TextureSample sample_texture(const Config& config, const Texture& texture, Wrap wrap_u, Wrap wrap_v, std::int64_t u,
+TextureSample sample_texture(const Shape& config, const Texture& texture, Wrap wrap_u, Wrap wrap_v, std::int64_t u,
                              std::int64_t v, std::int64_t lod) {
   Context context = make_context(config);
   DrawWords draw;

@@ -5,13 +5,13 @@
 #include <array>
 #include <cstdint>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/texel/texture.h"
 
 namespace wrinkle {
 
 // normalize with normalizer_n: s1.V in, s1.F out.
-std::array<std::int64_t, 3> normalize_vector(const Config& config, const std::array<std::int64_t, 3>& v);
+std::array<std::int64_t, 3> normalize_vector(const Shape& config, const std::array<std::int64_t, 3>& v);
 
 // rsqrt of unit_bits: T of SB bits in, u1.RB out (golden/pixel/rsqrt.h).
 std::int64_t rsqrt_of(int unit_bits, std::int64_t t);
@@ -21,7 +21,7 @@ struct TextureSample {
   std::array<std::int64_t, 3> n{};      // s1.V
   std::array<std::int64_t, 3> decal{};  // u0.T
 };
-TextureSample sample_texture(const Config& config, const Texture& texture, Wrap wrap_u, Wrap wrap_v, std::int64_t u,
+TextureSample sample_texture(const Shape& config, const Texture& texture, Wrap wrap_u, Wrap wrap_v, std::int64_t u,
                              std::int64_t v, std::int64_t lod);
 
 }  // namespace wrinkle

@@ -4,21 +4,9 @@
 #include "golden/pixel/context.h"
 #include "golden/pixel/pixel.h"
 #include "golden/pixel/spans.h"
+#include "golden/stages.h"
 
 namespace wrinkle {
-
-// A set of stages, as bits.
-enum Stages : unsigned {
-  kScan = 1,
-  kInterpolate = 2,
-  kPerspective = 4,
-  kTexture = 8,
-  kPerturb = 16,
-  kNormalize = 32,
-  kLight = 64,
-  kOutput = 128,
-  kAllStages = 255
-};
 
 // Runs `stages` over the fragments of the batch. What a stage reads must be there, in the format of components.def.
 // kSimd takes either width, where the configuration fits (lane_bits()); the scalar instances take the wide one.

@@ -37,12 +37,12 @@ struct Coordinate {
 
 // One coordinate at one level.
 template <class L>
-HWY_INLINE Coordinate<L> coordinate(const L& l, const Config& c, typename L::V u, typename L::V level, int log2_size,
+HWY_INLINE Coordinate<L> coordinate(const L& l, const Shape& c, typename L::V u, typename L::V level, int log2_size,
                                     int mode) {
-  const int b = c.weight_fraction_bits();
+  const int b = c.weight_fraction_bits;
   const auto w = l.max(l.sub(l.set(log2_size), level), l.set(0));
-  const auto scaled = l.shl(u, c.coordinate_shift());
-  const auto shift = l.sub(l.set(c.uv_bits + c.coordinate_shift() - b), w);
+  const auto scaled = l.shl(u, c.coordinate_shift);
+  const auto shift = l.sub(l.set(c.uv_bits + c.coordinate_shift - b), w);
   if (b == 0) return {wrapped(l, l.sar_each(scaled, shift), w, mode), l.set(0)};
   const auto t = l.sub(round_half_up_each(l, scaled, shift), l.set(1 << (b - 1)));
   return {wrapped(l, l.sar(t, b), w, mode), l.and_(t, l.set((1 << b) - 1))};
@@ -67,7 +67,7 @@ struct Levels {
 };
 template <class L>
 HWY_INLINE Levels<L> mip_levels(const L& l, const Constants<typename L::Int>& c, typename L::V lod) {
-  const int bits = c.config.lod_fraction_bits();
+  const int bits = c.config.lod_fraction_bits;
   const auto top = l.set(c.draw.max_level);
   const auto zero = l.set(0);
   const auto level = l.sar(lod, bits);
@@ -87,10 +87,10 @@ struct Quad {
   typename L::V upper_left, lower_left, upper_right, lower_right, weights_u, weight_v;
 };
 template <class L>
-HWY_INLINE Quad<L> load_quad(const L& l, const Config& c, const TexelQuads& quads,
+HWY_INLINE Quad<L> load_quad(const L& l, const Shape& c, const TexelQuads& quads,
                              const TexelAddresses<typename L::Int>& addresses, std::size_t i) {
   const auto four = l.load_fours(&quads.texels[4 * i]);
-  const auto weights_u = l.weights(l.load(&addresses.weight_u[i]), c.weight_fraction_bits());
+  const auto weights_u = l.weights(l.load(&addresses.weight_u[i]), c.weight_fraction_bits);
   return {four[0], four[1], four[2], four[3], weights_u, l.load(&addresses.weight_v[i])};
 }
 
@@ -100,16 +100,16 @@ struct Rows {
   typename L::V upper, lower;
 };
 template <int k, class L>
-HWY_INLINE Rows<L> filter_rows(const L& l, const Config& c, const Quad<L>& quad) {
-  const int b = c.weight_fraction_bits();
+HWY_INLINE Rows<L> filter_rows(const L& l, const Shape& c, const Quad<L>& quad) {
+  const int b = c.weight_fraction_bits;
   return {l.template weigh_fields<k>(quad.upper_left, quad.upper_right, c.texel_bits, quad.weights_u, b),
           l.template weigh_fields<k>(quad.lower_left, quad.lower_right, c.texel_bits, quad.weights_u, b)};
 }
 
 // The same filtered within the level; 2B fraction bits.
 template <int k, class L>
-HWY_INLINE typename L::V filter_quad(const L& l, const Config& c, const Quad<L>& quad) {
-  const int b = c.weight_fraction_bits();
+HWY_INLINE typename L::V filter_quad(const L& l, const Shape& c, const Quad<L>& quad) {
+  const int b = c.weight_fraction_bits;
   if (b == 0) return l.and_(l.sar(quad.upper_left, k * c.texel_bits), l.set((1 << c.texel_bits) - 1));
   const Rows<L> rows = filter_rows<k>(l, c, quad);
   if (c.texel_bits + b <= 16) return l.weigh16(rows.upper, rows.lower, l.weights(quad.weight_v, b), b);
@@ -126,9 +126,9 @@ struct Samples {
 
 // Filters `components` (two or three): hand_on(component, fragment, f) takes each with D fraction bits.
 template <class L, class HandOn>
-HWY_INLINE void filter_any(const L& l, const Config& c, int components, int count, const Samples<typename L::Int>& s,
+HWY_INLINE void filter_any(const L& l, const Shape& c, int components, int count, const Samples<typename L::Int>& s,
                            const HandOn& hand_on) {
-  const bool trilinear = c.trilinear();
+  const bool trilinear = c.trilinear;
   for (int first = 0; first < count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
     const Quad<L> a = load_quad(l, c, s.quads_a, s.a, i);
@@ -136,7 +136,7 @@ HWY_INLINE void filter_any(const L& l, const Config& c, int components, int coun
     const auto weight = l.load(&s.weight[i]);
     const auto component = [&](auto k) HWY_ATTR {
       auto f = filter_quad<k>(l, c, a);
-      if (trilinear) f = interpolated(l, f, filter_quad<k>(l, c, b), weight, c.lod_fraction_bits());
+      if (trilinear) f = interpolated(l, f, filter_quad<k>(l, c, b), weight, c.lod_fraction_bits);
       hand_on(k, i, f);
     };
     component(std::integral_constant<int, 0>());
@@ -146,11 +146,11 @@ HWY_INLINE void filter_any(const L& l, const Config& c, int components, int coun
 }
 
 // The same, trilinear, where the weights of a fragment's eight texels fit the halves of a lane.
-inline bool has_short_weights(const Config& c) {
-  return c.trilinear() && c.texel_bits + c.weight_bits <= 16 && c.weight_bits + c.lod_bits <= 14;
+inline bool has_short_weights(const Shape& c) {
+  return c.trilinear && c.texel_bits + c.weight_bits <= 16 && c.weight_bits + c.lod_bits <= 14;
 }
 template <class L, class HandOn>
-HWY_INLINE void filter_short(const L& l, const Config& c, int components, int count, const Samples<typename L::Int>& s,
+HWY_INLINE void filter_short(const L& l, const Shape& c, int components, int count, const Samples<typename L::Int>& s,
                              const HandOn& hand_on) {
   const int bits = c.weight_bits, lod_bits = c.lod_bits;
   for (int first = 0; first < count; first += l.size()) {
@@ -171,7 +171,7 @@ template <class L, class HandOn>
 HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const std::vector<std::uint32_t>& texels,
                        int components, int count, Samples<typename L::Int>& s, const HandOn& hand_on) {
   fetch(texels.data(), s.a, count, s.quads_a);
-  if (c.config.trilinear()) fetch(texels.data(), s.b, count, s.quads_b);
+  if (c.config.trilinear) fetch(texels.data(), s.b, count, s.quads_b);
   has_short_weights(c.config) ? filter_short(l, c.config, components, count, s, hand_on)
                               : filter_any(l, c.config, components, count, s, hand_on);
 }
@@ -182,8 +182,8 @@ void texture_absent(const L& l, const Constants<typename L::Int>& c, Batch<typen
   for (std::size_t k = 0; k < 3; ++k) {
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);
-      if (c.config.has_texture_normal()) l.store(l.set(0), &batch.texture_n[k][i]);
-      if (c.config.has_blinn()) l.store(l.set(0), &batch.texture_gradient[k][i]);
+      if (c.config.bump_components == 3) l.store(l.set(0), &batch.texture_n[k][i]);
+      if (c.config.bump_components == 2) l.store(l.set(0), &batch.texture_gradient[k][i]);
       if (c.config.decal != 0) l.store(l.set((1 << c.config.texel_bits) - 1), &batch.texture_decal[k][i]);
     }
   }
@@ -193,7 +193,7 @@ void texture_absent(const L& l, const Constants<typename L::Int>& c, Batch<typen
 template <class L>
 void texture_gradient(const L& l, const Constants<typename L::Int>& c, const std::vector<std::uint32_t>& texels,
                       Samples<typename L::Int>& s, Batch<typename L::Int>& batch) {
-  const int d = c.config.filter_fraction_bits();
+  const int d = c.config.filter_fraction_bits;
   const auto middle = l.shl(l.set(1 << (c.config.texel_bits - 1)), d);
   const int shift = d + c.config.texel_bits - 1 - c.config.gradient_bits;
   const typename L::Int limit = typename L::Int{1} << c.config.gradient_bits;
@@ -206,7 +206,7 @@ void texture_gradient(const L& l, const Constants<typename L::Int>& c, const std
 template <class L>
 void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
-  if (!c.config.has_texture()) return;
+  if (!c.config.textured) return;
   if (!c.draw.textured) return texture_absent(l, c, batch);
   const auto& u = c.config.perspective != 0 ? batch.perspective_u[0] : batch.interpolate_u[0];
   const auto& v = c.config.perspective != 0 ? batch.perspective_v[0] : batch.interpolate_v[0];
@@ -215,12 +215,12 @@ void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) 
     const auto i = static_cast<std::size_t>(first);
     const Levels<L> levels = mip_levels(l, c, l.load(&batch.interpolate_lod[0][i]));
     address(l, c, l.load(&u[i]), l.load(&v[i]), levels.a, s.a, i);
-    if (c.config.trilinear()) address(l, c, l.load(&u[i]), l.load(&v[i]), levels.b, s.b, i);
+    if (c.config.trilinear) address(l, c, l.load(&u[i]), l.load(&v[i]), levels.b, s.b, i);
     l.store(levels.weight, &s.weight[i]);
   }
-  const int d = c.config.filter_fraction_bits();
-  if (c.config.has_blinn()) texture_gradient(l, c, context.texture->low, s, batch);
-  if (c.config.has_texture_normal()) {
+  const int d = c.config.filter_fraction_bits;
+  if (c.config.bump_components == 2) texture_gradient(l, c, context.texture->low, s, batch);
+  if (c.config.bump_components == 3) {
     const int one = (1 << c.config.texel_bits) - (c.config.decode == static_cast<int>(Decode::kRange) ? 1 : 0);
     const auto bias = l.shl(l.set(one), d);
     const int shift = d + c.config.texel_bits - c.config.vector_bits;
@@ -230,7 +230,7 @@ void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) 
     });
   }
   if (c.config.decal != 0) {
-    const auto& texels = c.config.has_bump() ? context.texture->high : context.texture->low;
+    const auto& texels = c.config.bump_components != 0 ? context.texture->high : context.texture->low;
     sample(l, c, texels, 3, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
       l.store(round_half_up(l, f, d), &batch.texture_decal[k][i]);
     });

@@ -2,10 +2,10 @@
 
 namespace wrinkle {
 
-std::vector<Value> values(const Config& c) {
+std::vector<Value> values(const Shape& c) {
   return {
 #define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) \
-  {#stage, #name, elements, width, fraction_bits, is_signed, present},
+  {#stage, #name, elements, width, fraction_bits, is_signed, present, #stage "_" #name, 0},
 #include "golden/pixel/components.def"
 #undef WRINKLE_VALUE
   };
@@ -19,6 +19,16 @@ void extract(const Batch<Int>& batch, int index, FragmentValues& out) {
   out.push_back({batch.stage##_##name[0][i], batch.stage##_##name[1][i], batch.stage##_##name[2][i]});
 #include "golden/pixel/components.def"
 #undef WRINKLE_VALUE
+}
+
+template <class Int>
+const Int* column(const Batch<Int>& batch, std::size_t value, std::size_t element) {
+  const std::array columns{
+#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) batch.stage##_##name.data(),
+#include "golden/pixel/components.def"
+#undef WRINKLE_VALUE
+  };
+  return columns[value][element].data();
 }
 
 template <class Int>
@@ -36,6 +46,8 @@ Fragment fragment(const Batch<Int>& batch, int index) {
 
 template void extract(const Batch<std::int32_t>&, int, FragmentValues&);
 template void extract(const Batch<std::int64_t>&, int, FragmentValues&);
+template const std::int32_t* column(const Batch<std::int32_t>&, std::size_t, std::size_t);
+template const std::int64_t* column(const Batch<std::int64_t>&, std::size_t, std::size_t);
 template Fragment fragment(const Batch<std::int32_t>&, int);
 template Fragment fragment(const Batch<std::int64_t>&, int);
 

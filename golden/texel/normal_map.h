@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/texel/grid.h"
 #include "golden/vector.h"
 #include "golden/vertex/surface.h"

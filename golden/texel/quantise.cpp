@@ -12,7 +12,7 @@ constexpr Texel kFlat{0, 0, 1, 1, 1, 1};
 
 int log2_of(int size) { return std::countr_zero(static_cast<unsigned>(size)); }
 
-// Half the distance to the next code is added and cut off: ties go up.
+// Rounds to the nearest code; ties go up.
 double round_half_up(double x) { return std::floor(x + 0.5); }
 
 // Level `level` of a texture of width x height at level 0, from a chain that may be smaller, larger or of another
@@ -74,20 +74,20 @@ std::uint64_t decal_code(double c, int texel_bits) {
   return static_cast<std::uint64_t>(round_half_up(std::clamp(c, 0.0, 1.0) * top));
 }
 
-Texture quantise(const ExactTexture& exact, const Config& config) {
+Texture quantise(const ExactTexture& exact, const Shape& config) {
   const auto decode = static_cast<Decode>(config.decode);
   const int bits = config.texel_bits;
-  Texture texture{exact.log2_width, exact.log2_height, config.texel_components(), bits, {}};
+  Texture texture{exact.log2_width, exact.log2_height, config.texels, bits, {}};
   for (const auto& from : exact.levels) {
     std::vector<std::uint64_t> level;
     level.reserve(from.size());
     for (const Texel& texel : from) {
       std::uint64_t word = 0;
       int shift = 0;
-      if (config.has_blinn()) {
+      if (config.bump_components == 2) {
         for (std::size_t i = 0; i < 2; ++i, shift += bits) word |= gradient_code(texel[i], bits) << shift;
       }
-      if (config.has_texture_normal()) {
+      if (config.bump_components == 3) {
         for (std::size_t i = 0; i < 3; ++i, shift += bits) word |= normal_code(texel[i], decode, bits) << shift;
       }
       if (config.decal != 0) {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/texel/normal_map.h"
 #include "golden/texel/texture.h"
 
@@ -26,6 +26,6 @@ std::uint64_t decal_code(double c, int texel_bits);
 
 // The components that the configuration has (three of normal, or two of slope, if it has bump mapping, three of decal
 // if it has that).
-Texture quantise(const ExactTexture& exact, const Config& config);
+Texture quantise(const ExactTexture& exact, const Shape& config);
 
 }  // namespace wrinkle

@@ -9,7 +9,7 @@
 namespace wrinkle {
 namespace {
 
-void check_guard_band(const Config& config, std::int32_t coordinate) {
+void check_guard_band(const Shape& config, std::int32_t coordinate) {
   const std::int64_t screen = std::int64_t{1} << (config.screen_bits + config.subpixel_bits);
   if (coordinate < -screen || coordinate >= 2 * screen) {
     throw std::invalid_argument("a vertex lies outside the guard band");
@@ -30,14 +30,14 @@ double whole_repeats(Wrap wrap, double low, double high) {
   return 0;
 }
 
-void reduce(const Config& config, int wrap, const char* name, std::array<double, 3>& values) {
+void reduce(const Shape& config, int wrap, const char* name, std::array<double, 3>& values) {
   if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
     throw std::range_error(std::string("texture coordinate ") + name + " is not finite");
   }
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double repeats = whole_repeats(static_cast<Wrap>(wrap), *low, *high);
   const double bound = std::ldexp(1.0, config.uv_integer_bits - 1);
-  const auto margin = interpolation_margin(config, config.uv_width());
+  const auto margin = interpolation_margin(config, config.uv_width);
   const double lowest = -bound + std::ldexp(static_cast<double>(margin), -config.uv_bits);
   const double highest = bound - std::ldexp(static_cast<double>(margin + 1), -config.uv_bits);
   if (*low - repeats < lowest || *high - repeats > highest) {
@@ -61,17 +61,17 @@ constexpr double kSmallestVectorScale = 1.0 / 16;
 
 }  // namespace
 
-std::int64_t interpolation_margin(const Config& config, int width) {
+std::int64_t interpolation_margin(const Shape& config, int width) {
   return std::int64_t{1} << std::min(std::max(config.screen_bits - config.guard_bits, 0), width - 3);
 }
 
-double depth_in_format(const Config& config, double z) {
+double depth_in_format(const Shape& config, double z) {
   const auto margin = static_cast<double>(interpolation_margin(config, config.depth_bits));
   const double codes = std::ldexp(1.0, config.depth_bits);
   return (margin + std::clamp(z, 0.0, 1.0) * (codes - 1 - 2 * margin)) / codes;
 }
 
-Corners sort_corners(const Config& config, const ScreenTriangle& triangle) {
+Corners sort_corners(const Shape& config, const ScreenTriangle& triangle) {
   for (const ScreenVertex& vertex : triangle.v) {
     check_guard_band(config, vertex.x);
     check_guard_band(config, vertex.y);
@@ -85,7 +85,7 @@ Corners sort_corners(const Config& config, const ScreenTriangle& triangle) {
   return corners;
 }
 
-TextureCorners texture_corners(const Config& config, const Corners& corners, const DrawWords& draw) {
+TextureCorners texture_corners(const Shape& config, const Corners& corners, const DrawWords& draw) {
   TextureCorners texture;
   for (std::size_t i = 0; i < 3; ++i) {
     texture.u[i] = corners.v[i]->uv.x;
@@ -105,7 +105,7 @@ TextureCorners texture_corners(const Config& config, const Corners& corners, con
   return texture;
 }
 
-std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners, Vec3 ScreenVertex::*member,
+std::array<Vec3, 3> vector_corners(const Shape& config, const Corners& corners, Vec3 ScreenVertex::*member,
                                    int normalizer) {
   std::array<Vec3, 3> vectors;
   for (std::size_t i = 0; i < 3; ++i) vectors[i] = corners.v[i]->*member;
@@ -119,7 +119,7 @@ std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners,
   return vectors;
 }
 
-CrossCorners cross_corners(const Config& config, const Corners& corners, const DrawWords& draw) {
+CrossCorners cross_corners(const Shape& config, const Corners& corners, const DrawWords& draw) {
   CrossCorners cross;
   if (!draw.bump) {
     cross.a = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
@@ -128,7 +128,7 @@ CrossCorners cross_corners(const Config& config, const Corners& corners, const D
   cross.a = vector_corners(config, corners, &ScreenVertex::A, config.normalizer_n);
   cross.b = vector_corners(config, corners, &ScreenVertex::B, config.normalizer_n);
   cross.c = vector_corners(config, corners, &ScreenVertex::C, config.normalizer_n);
-  if (!config.has_cross_planes()) {
+  if (config.frame_held != 0) {
     cross.b.fill(1.0 / 3 * (cross.b[0] + cross.b[1] + cross.b[2]));
     cross.c.fill(1.0 / 3 * (cross.c[0] + cross.c[1] + cross.c[2]));
   }

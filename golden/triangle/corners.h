@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/packet.h"
 
 namespace wrinkle {
@@ -17,7 +17,7 @@ struct Corners {
 
 // Throws std::invalid_argument when a corner lies outside the guard band [-2^X, 2^(X+1)) pixels, to which the vertex
 // rate clips.
-Corners sort_corners(const Config& config, const ScreenTriangle& triangle);
+Corners sort_corners(const Shape& config, const ScreenTriangle& triangle);
 
 // Texture coordinates as the hardware gets them, before quantisation: whole repeats are taken off (an even number where
 // the texture is mirrored, none where it is clamped) and q is scaled so that the largest is just below 1. Without
@@ -26,13 +26,13 @@ Corners sort_corners(const Config& config, const ScreenTriangle& triangle);
 struct TextureCorners {
   std::array<double, 3> u{}, v{}, q{1, 1, 1};
 };
-TextureCorners texture_corners(const Config& config, const Corners& corners, const DrawWords& draw);
+TextureCorners texture_corners(const Shape& config, const Corners& corners, const DrawWords& draw);
 
 // N, L or H at the corners as the hardware gets them. Where `perspective` is on and a normalizer of any length follows,
 // each is scaled by its q, relative to the largest of the triangle: the direction of a linearly interpolated q V is
 // that of the perspective-correct V, and the normalizer takes the length away, so the hardware pays nothing. The scale
 // is at least 2^-4, beyond which short vectors would cost more in precision than the correction gains.
-std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners, Vec3 ScreenVertex::*member,
+std::array<Vec3, 3> vector_corners(const Shape& config, const Corners& corners, Vec3 ScreenVertex::*member,
                                    int normalizer);
 
 // Pu x Pv, Pv x N and N x Pu at the corners as the hardware gets them: scaled by q like N, the latter two replaced by
@@ -42,13 +42,13 @@ std::array<Vec3, 3> vector_corners(const Config& config, const Corners& corners,
 struct CrossCorners {
   std::array<Vec3, 3> a, b, c;
 };
-CrossCorners cross_corners(const Config& config, const Corners& corners, const DrawWords& draw);
+CrossCorners cross_corners(const Shape& config, const Corners& corners, const DrawWords& draw);
 
 // LSBs that an unsigned or cyclic component keeps clear of both ends of its format: the accumulated error of the
 // interpolator over a whole screen, at most 2^(X - G) LSB, must not carry it round.
-std::int64_t interpolation_margin(const Config& config, int width);
+std::int64_t interpolation_margin(const Shape& config, int width);
 
 // z in [0, 1] as the hardware gets it: margin/2^Z to 1 - (margin + 1)/2^Z.
-double depth_in_format(const Config& config, double z);
+double depth_in_format(const Shape& config, double z);
 
 }  // namespace wrinkle

@@ -142,7 +142,7 @@ std::vector<Piece> cut(const Coverage& coverage, int first, int end, bool mirror
 
 }  // namespace
 
-std::vector<Piece> cover(const Config& config, const Corners& corners, int width, int height) {
+std::vector<Piece> cover(const Shape& config, const Corners& corners, int width, int height) {
   if (corners.area == 0) return {};
   const auto [top, middle, bottom] = corners.v;
   Coverage coverage{{width, height, config.subpixel_bits}, {}, {}};

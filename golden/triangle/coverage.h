@@ -17,6 +17,6 @@ struct Piece {
 // Exact top-left coverage of [0, width) x [0, height): row y where ceil(y_top - 1/2) <= y < ceil(y_bottom - 1/2), in it
 // pixels ceil(X_left - 1/2) <= x < ceil(X_right - 1/2), X at the pixel centre. Empty when no pixel is covered. Of the
 // two walks the one with fewer pieces; the unmirrored one when equal.
-std::vector<Piece> cover(const Config& config, const Corners& corners, int width, int height);
+std::vector<Piece> cover(const Shape& config, const Corners& corners, int width, int height);
 
 }  // namespace wrinkle

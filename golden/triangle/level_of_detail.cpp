@@ -9,7 +9,7 @@ namespace wrinkle {
 namespace {
 
 // Squared length of the gradients of u and v times the size of the texture: the values are differences to corner 0.
-double larger_rate_squared(const Config& config, const Corners& corners, const std::array<Vec2, 3>& uv,
+double larger_rate_squared(const Shape& config, const Corners& corners, const std::array<Vec2, 3>& uv,
                            const DrawWords& draw) {
   const auto& v = corners.v;
   const double dx1 = v[1]->x - v[0]->x, dy1 = v[1]->y - v[0]->y;
@@ -24,14 +24,14 @@ double larger_rate_squared(const Config& config, const Corners& corners, const s
 
 }  // namespace
 
-double texel_rate_squared(const Config& config, const Corners& corners, const TextureCorners& texture,
+double texel_rate_squared(const Shape& config, const Corners& corners, const TextureCorners& texture,
                           const DrawWords& draw) {
   std::array<Vec2, 3> uv;
   for (std::size_t j = 0; j < 3; ++j) uv[j] = {texture.u[j], texture.v[j]};
   return larger_rate_squared(config, corners, uv, draw);
 }
 
-double texel_rate_squared_at(const Config& config, const Corners& corners, const TextureCorners& texture,
+double texel_rate_squared_at(const Shape& config, const Corners& corners, const TextureCorners& texture,
                              const DrawWords& draw, std::size_t i) {
   // u = sum(u_j q_j b_j) / sum(q_j b_j) with barycentric b, so that du at corner i is sum((u_j - u_i) q_j / q_i db_j).
   std::array<Vec2, 3> uv;

@@ -9,10 +9,10 @@
 namespace wrinkle {
 
 // rho^2: the larger of |d(u,v)/dx|^2 and |d(u,v)/dy|^2, in texels of level 0 per pixel, of the affine map (q not used).
-double texel_rate_squared(const Config& config, const Corners& corners, const TextureCorners& texture,
+double texel_rate_squared(const Shape& config, const Corners& corners, const TextureCorners& texture,
                           const DrawWords& draw);
 // The same for u*q / q, exactly at corner `i`.
-double texel_rate_squared_at(const Config& config, const Corners& corners, const TextureCorners& texture,
+double texel_rate_squared_at(const Shape& config, const Corners& corners, const TextureCorners& texture,
                              const DrawWords& draw, std::size_t i);
 
 // floor(2^fraction_bits * log2(x)), x > 0.

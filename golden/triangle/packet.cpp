@@ -11,7 +11,7 @@ namespace {
 // visit.next_word() where a word is left unfilled; Draw and Triangle are const for a writer and not for a reader.
 
 template <class Draw, class Visit>
-void draw_fields(const Config& config, Draw& draw, Visit& visit) {
+void draw_fields(const Shape& config, Draw& draw, Visit& visit) {
   unsigned opcode = kOpcodeDraw;
   visit(opcode, 4, false);
   visit(draw.bump, 1, false);
@@ -30,7 +30,7 @@ void draw_fields(const Config& config, Draw& draw, Visit& visit) {
     for (auto& channel : *colour) visit(channel, 16, false);
   }
   visit.next_word();
-  if (config.has_light_planes()) return;
+  if (config.has_light_planes) return;
   for (auto* vector : {&draw.l, &draw.h}) {
     for (auto& component : *vector) visit(component, config.unit_bits + 2, true);
     visit.next_word();
@@ -38,7 +38,7 @@ void draw_fields(const Config& config, Draw& draw, Visit& visit) {
 }
 
 template <class Triangle, class Visit>
-void scan_fields(const Config& config, Triangle& triangle, Visit& visit) {
+void scan_fields(const Shape& config, Triangle& triangle, Visit& visit) {
   const int screen = config.screen_bits;
   unsigned opcode = kOpcodeTriangle;
   visit(opcode, 4, false);
@@ -49,15 +49,15 @@ void scan_fields(const Config& config, Triangle& triangle, Visit& visit) {
   for (auto* edge : {&triangle.start, &triangle.end0, &triangle.end1}) {
     visit(edge->w, screen + 2, true);
     visit(edge->step, screen + 2, true);
-    visit(edge->remainder, config.edge_bits() + 1, true);
-    visit(edge->remainder_step, config.edge_bits(), false);
-    visit(edge->denominator, config.edge_bits(), false);
+    visit(edge->remainder, config.edge_bits + 1, true);
+    visit(edge->remainder_step, config.edge_bits, false);
+    visit(edge->denominator, config.edge_bits, false);
   }
   visit.next_word();
 }
 
 template <class Triangle, class Visit>
-void plane_fields(const Config& config, Triangle& triangle, Visit& visit) {
+void plane_fields(const Shape& config, Triangle& triangle, Visit& visit) {
   for (const ComponentFormat& format : component_formats(config)) {
     auto& plane = triangle.planes[static_cast<std::size_t>(format.component)];
     const int bits = format.width + config.guard_bits;
@@ -69,7 +69,7 @@ void plane_fields(const Config& config, Triangle& triangle, Visit& visit) {
     visit(plane.row, bits, true);
     visit(plane.dw, bits, true);
   }
-  if (config.has_texture() && config.perspective == 0) visit(triangle.lod, 4 + config.lod_fraction_bits(), false);
+  if (config.textured && config.perspective == 0) visit(triangle.lod, 4 + config.lod_fraction_bits, false);
   visit.next_word();
 }
 
@@ -139,66 +139,66 @@ void expect_opcode(std::span<const std::uint64_t> words, unsigned opcode) {
 
 }  // namespace
 
-std::vector<ComponentFormat> component_formats(const Config& config) {
+std::vector<ComponentFormat> component_formats(const Shape& config) {
   std::vector<ComponentFormat> formats;
   const auto add = [&](Component component, int width, int fraction_bits, bool is_signed) {
     formats.push_back({component, width, fraction_bits, is_signed});
   };
   const auto add_vector = [&](Component x, Component y, Component z) {
-    for (Component component : {x, y, z}) add(component, config.vector_width(), config.vector_bits, true);
+    for (Component component : {x, y, z}) add(component, config.vector_width, config.vector_bits, true);
   };
   const auto add_wide_vector = [&](Component x, Component y, Component z, bool is_constant) {
     for (Component component : {x, y, z})
-      formats.push_back({component, config.wide_width(), config.wide_bits, true, is_constant});
+      formats.push_back({component, config.frame_width, config.frame_bits, true, is_constant});
   };
-  if (config.has_normal_planes()) add_vector(Component::kNx, Component::kNy, Component::kNz);
-  if (config.has_blinn()) {
+  if (config.frame_vectors == 1) add_vector(Component::kNx, Component::kNy, Component::kNz);
+  if (config.frame_vectors > 1) {
     add_wide_vector(Component::kAx, Component::kAy, Component::kAz, false);
-    add_wide_vector(Component::kBx, Component::kBy, Component::kBz, !config.has_cross_planes());
-    add_wide_vector(Component::kCx, Component::kCy, Component::kCz, !config.has_cross_planes());
+    add_wide_vector(Component::kBx, Component::kBy, Component::kBz, config.frame_held != 0);
+    add_wide_vector(Component::kCx, Component::kCy, Component::kCz, config.frame_held != 0);
   }
-  if (config.has_light_planes()) {
+  if (config.has_light_planes) {
     add_vector(Component::kLx, Component::kLy, Component::kLz);
-    if (config.has_specular()) add_vector(Component::kHx, Component::kHy, Component::kHz);
+    if (config.glossy) add_vector(Component::kHx, Component::kHy, Component::kHz);
   }
-  if (config.has_texture()) {
-    add(Component::kU, config.uv_width(), config.uv_bits, true);
-    add(Component::kV, config.uv_width(), config.uv_bits, true);
+  if (config.textured) {
+    add(Component::kU, config.uv_width, config.uv_bits, true);
+    add(Component::kV, config.uv_width, config.uv_bits, true);
     if (config.perspective != 0) {
       add(Component::kQ, config.q_bits, config.q_bits, false);
-      add(Component::kLod, 6 + config.lod_fraction_bits(), config.lod_fraction_bits(), true);
+      add(Component::kLod, 6 + config.lod_fraction_bits, config.lod_fraction_bits, true);
     }
   }
   if (config.depth != 0) add(Component::kZ, config.depth_bits, config.depth_bits, false);
   return formats;
 }
 
-int scan_word_count(const Config& config) {
+int scan_word_count(const Shape& config) {
   Counter counter;
   const TriangleWords triangle;
   scan_fields(config, triangle, counter);
   return counter.words();
 }
 
-int plane_word_count(const Config& config) {
+int plane_word_count(const Shape& config) {
   Counter counter;
   const TriangleWords triangle;
   plane_fields(config, triangle, counter);
   return counter.words();
 }
 
-void encode(const Config& config, const DrawWords& draw, std::vector<std::uint64_t>& words) {
+void encode(const Shape& config, const DrawWords& draw, std::vector<std::uint64_t>& words) {
   Writer writer(words);
   draw_fields(config, draw, writer);
 }
 
-void encode(const Config& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words) {
+void encode(const Shape& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words) {
   Writer writer(words);
   scan_fields(config, triangle, writer);
   plane_fields(config, triangle, writer);
 }
 
-DrawWords decode_draw(const Config& config, std::span<const std::uint64_t> words) {
+DrawWords decode_draw(const Shape& config, std::span<const std::uint64_t> words) {
   expect_opcode(words, kOpcodeDraw);
   DrawWords draw;
   Reader reader(words);
@@ -206,7 +206,7 @@ DrawWords decode_draw(const Config& config, std::span<const std::uint64_t> words
   return draw;
 }
 
-TriangleWords decode_triangle(const Config& config, std::span<const std::uint64_t> words) {
+TriangleWords decode_triangle(const Shape& config, std::span<const std::uint64_t> words) {
   expect_opcode(words, kOpcodeTriangle);
   TriangleWords triangle;
   Reader reader(words);

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/triangle/draw.h"
 
 namespace wrinkle {
@@ -62,7 +62,7 @@ struct ComponentFormat {
 };
 // The planes a configuration has, in packet order. (Lod is among them only with perspective; else it is a constant
 // field.)
-std::vector<ComponentFormat> component_formats(const Config& config);
+std::vector<ComponentFormat> component_formats(const Shape& config);
 
 struct TriangleWords {
   bool mirror = false;
@@ -74,29 +74,29 @@ struct TriangleWords {
   bool operator==(const TriangleWords&) const = default;
 };
 
-int scan_word_count(const Config& config);
-int plane_word_count(const Config& config);
-inline int triangle_word_count(const Config& config) { return scan_word_count(config) + plane_word_count(config); }
+int scan_word_count(const Shape& config);
+int plane_word_count(const Shape& config);
+inline int triangle_word_count(const Shape& config) { return scan_word_count(config) + plane_word_count(config); }
 
-void encode(const Config& config, const DrawWords& draw, std::vector<std::uint64_t>& words);
-void encode(const Config& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words);
-DrawWords decode_draw(const Config& config, std::span<const std::uint64_t> words);
-TriangleWords decode_triangle(const Config& config, std::span<const std::uint64_t> words);
+void encode(const Shape& config, const DrawWords& draw, std::vector<std::uint64_t>& words);
+void encode(const Shape& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words);
+DrawWords decode_draw(const Shape& config, std::span<const std::uint64_t> words);
+TriangleWords decode_triangle(const Shape& config, std::span<const std::uint64_t> words);
 
 // A colour as the configured channels: three, or one, the luminance (Rec. 709), in x.
-Vec3 to_channels(const Config& config, Vec3 colour);
+Vec3 to_channels(const Shape& config, Vec3 colour);
 
 // Quantises a draw state. What the configuration cannot do is off: bump and textured say whether texels are fetched.
 // Throws std::invalid_argument when the texture is not there or the exponent is neither 0 nor a power of two.
-DrawWords quantise(const Config& config, const DrawState& state, const std::vector<Texture>& textures);
+DrawWords quantise(const Shape& config, const DrawState& state, const std::vector<Texture>& textures);
 
 // Set-up: the packets of one triangle on a screen of width x height, none when it covers no pixel. Any winding draws;
 // the order of the corners does not matter. Integers only after the one quantisation of each vertex; every compiler
 // gives the same words. Throws std::invalid_argument for vertices outside the guard band [-2^X, 2^(X+1)) pixels,
 // vectors far from unit length and 1/w <= 0, and std::range_error when u or v does not fit uv_integer_bits.
-std::vector<TriangleWords> set_up(const Config& config, const ScreenTriangle& triangle, const DrawWords& draw,
-                                  int width, int height);
-std::vector<TriangleWords> set_up(const Config& config, const ScreenTriangle& triangle, const DrawState& state,
+std::vector<TriangleWords> set_up(const Shape& config, const ScreenTriangle& triangle, const DrawWords& draw, int width,
+                                  int height);
+std::vector<TriangleWords> set_up(const Shape& config, const ScreenTriangle& triangle, const DrawState& state,
                                   const std::vector<Texture>& textures, int width, int height);
 
 // A frame as words, with an index from packets back to triangles.
@@ -107,6 +107,6 @@ struct PacketStream {
   std::vector<std::uint32_t> packet_triangle;  // ScreenTriangle::id
   std::vector<std::uint32_t> draw_word;        // first word of each draw packet
 };
-PacketStream build_packets(const Config& config, const Frame& frame);
+PacketStream build_packets(const Shape& config, const Frame& frame);
 
 }  // namespace wrinkle

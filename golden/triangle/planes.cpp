@@ -40,13 +40,13 @@ std::int64_t denominator(const Corners& corners) { return corners.area < 0 ? -co
 // Corner values of the components, exact doubles of the format's scale.
 class Attributes {
  public:
-  Attributes(const Config& config, const Corners& corners, const DrawWords& draw) : config_(config), corners_(corners) {
-    if (config.has_normal_planes()) vector(Component::kNx, &ScreenVertex::N, config.normalizer_n);
-    if (config.has_light_planes()) {
+  Attributes(const Shape& config, const Corners& corners, const DrawWords& draw) : config_(config), corners_(corners) {
+    if (config.frame_vectors == 1) vector(Component::kNx, &ScreenVertex::N, config.normalizer_n);
+    if (config.has_light_planes) {
       vector(Component::kLx, &ScreenVertex::L, config.normalizer_l);
-      if (config.has_specular()) vector(Component::kHx, &ScreenVertex::H, config.third_normalizer());
+      if (config.glossy) vector(Component::kHx, &ScreenVertex::H, config.third_normalizer);
     }
-    if (config.has_blinn()) {
+    if (config.frame_vectors > 1) {
       const CrossCorners cross = cross_corners(config, corners, draw);
       put(Component::kAx, cross.a);
       put(Component::kBx, cross.b);
@@ -84,14 +84,14 @@ class Attributes {
     }
   }
 
-  const Config& config_;
+  const Shape& config_;
   const Corners& corners_;
   std::array<Values, kComponents> values_{};
 };
 
 // With perspective u, v become u*q, v*q of the rounded q, so that the quotient is u, v at the corners; and the level of
 // detail is a plane through its values at the corners.
-void make_perspective(const Config& config, const Corners& corners, const DrawWords& draw, const Attributes& attributes,
+void make_perspective(const Shape& config, const Corners& corners, const DrawWords& draw, const Attributes& attributes,
                       Planes& planes) {
   const auto plane = [&](Component component) -> Planes::Plane& {
     return planes.planes[static_cast<std::size_t>(component)];
@@ -106,13 +106,13 @@ void make_perspective(const Config& config, const Corners& corners, const DrawWo
   for (std::size_t i = 0; i < 3; ++i) {
     const double rho_squared = texel_rate_squared_at(config, corners, texture, draw, i);
     plane(Component::kLod).corner[i] =
-        level_of_detail(rho_squared, config.lod_fraction_bits() + config.guard_bits, -kFarthestLevel, kFarthestLevel);
+        level_of_detail(rho_squared, config.lod_fraction_bits + config.guard_bits, -kFarthestLevel, kFarthestLevel);
   }
 }
 
 }  // namespace
 
-Planes make_planes(const Config& config, const Corners& corners, const DrawWords& draw) {
+Planes make_planes(const Shape& config, const Corners& corners, const DrawWords& draw) {
   const Attributes attributes(config, corners, draw);
   const std::vector<ComponentFormat> formats = component_formats(config);
   Planes planes;
@@ -123,13 +123,13 @@ Planes make_planes(const Config& config, const Corners& corners, const DrawWords
       plane.corner[i] = to_fixed(values[i], format.fraction_bits + (format.is_constant ? 0 : config.guard_bits));
     }
   }
-  if (config.has_texture() && draw.textured) {
+  if (config.textured && draw.textured) {
     if (config.perspective != 0) {
       make_perspective(config, corners, draw, attributes, planes);
     } else {
       const TextureCorners texture{attributes[Component::kU], attributes[Component::kV], attributes[Component::kQ]};
       const double rho_squared = texel_rate_squared(config, corners, texture, draw);
-      planes.lod = static_cast<int>(level_of_detail(rho_squared, config.lod_fraction_bits(), 0, draw.max_level));
+      planes.lod = static_cast<int>(level_of_detail(rho_squared, config.lod_fraction_bits, 0, draw.max_level));
     }
   }
   for (const ComponentFormat& format : formats) {
@@ -144,7 +144,7 @@ Planes make_planes(const Config& config, const Corners& corners, const DrawWords
   return planes;
 }
 
-std::array<PlaneWords, kComponents> anchor(const Config& config, const Corners& corners, const Planes& planes,
+std::array<PlaneWords, kComponents> anchor(const Shape& config, const Corners& corners, const Planes& planes,
                                            bool mirror, int y, const EdgeWords& start) {
   const std::int64_t one = std::int64_t{1} << config.subpixel_bits;
   const std::int64_t x = mirror ? -1 - start.w : start.w;

@@ -20,10 +20,10 @@ struct Planes {
 };
 
 // Throws std::invalid_argument when a vector is not of about unit length, and what texture_corners() throws.
-Planes make_planes(const Config& config, const Corners& corners, const DrawWords& draw);
+Planes make_planes(const Shape& config, const Corners& corners, const DrawWords& draw);
 
 // The planes anchored at the first pixel of a piece, ready for the words: half an output LSB is added for the rounding.
-std::array<PlaneWords, kComponents> anchor(const Config& config, const Corners& corners, const Planes& planes,
+std::array<PlaneWords, kComponents> anchor(const Shape& config, const Corners& corners, const Planes& planes,
                                            bool mirror, int y, const EdgeWords& start);
 
 }  // namespace wrinkle

@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-std::array<int, 3> to_codes(const Config& config, Vec3 colour) {
+std::array<int, 3> to_codes(const Shape& config, Vec3 colour) {
   const auto code = [&](double channel) {
     return static_cast<int>(std::round(std::ldexp(std::clamp(channel, 0.0, 1.0), config.colour_bits)));
   };
@@ -17,7 +17,7 @@ std::array<int, 3> to_codes(const Config& config, Vec3 colour) {
 }
 
 // A unit vector, each component the nearest of s1.F.
-std::array<int, 3> to_unit_codes(const Config& config, Vec3 v) {
+std::array<int, 3> to_unit_codes(const Shape& config, Vec3 v) {
   if (!(std::abs(length(v) - 1) < 1e-6)) throw std::invalid_argument("a constant light vector is not of unit length");
   const auto code = [&](double x) { return static_cast<int>(std::round(std::ldexp(x, config.unit_bits))); };
   return {code(v.x), code(v.y), code(v.z)};
@@ -25,14 +25,14 @@ std::array<int, 3> to_unit_codes(const Config& config, Vec3 v) {
 
 }  // namespace
 
-Vec3 to_channels(const Config& config, Vec3 colour) {
-  if (config.channel_count() == 3) return colour;
+Vec3 to_channels(const Shape& config, Vec3 colour) {
+  if (config.count == 3) return colour;
   return {0.2126 * colour.x + 0.7152 * colour.y + 0.0722 * colour.z, 0, 0};
 }
 
-DrawWords quantise(const Config& config, const DrawState& state, const std::vector<Texture>& textures) {
+DrawWords quantise(const Shape& config, const DrawState& state, const std::vector<Texture>& textures) {
   DrawWords draw;
-  draw.bump = state.bump && config.has_bump();
+  draw.bump = state.bump && config.bump_components != 0;
   draw.textured = draw.bump || (state.textured && config.decal != 0);
   draw.shadow = state.shadow && config.self_shadow != static_cast<int>(SelfShadow::kOff);
   if (draw.textured) {
@@ -56,9 +56,9 @@ DrawWords quantise(const Config& config, const DrawState& state, const std::vect
   if (!draw.exponent_zero) {
     draw.squarings = std::min(std::countr_zero(static_cast<unsigned>(material.exponent)), config.specular_squarings);
   }
-  if (!config.has_light_planes()) {
+  if (!config.has_light_planes) {
     draw.l = to_unit_codes(config, state.L);
-    if (config.has_specular()) draw.h = to_unit_codes(config, state.H);
+    if (config.glossy) draw.h = to_unit_codes(config, state.H);
   }
   draw.ambient = to_codes(config, material.ambient);
   draw.diffuse = to_codes(config, material.diffuse);

@@ -6,8 +6,8 @@
 
 namespace wrinkle {
 
-std::vector<TriangleWords> set_up(const Config& config, const ScreenTriangle& triangle, const DrawWords& draw,
-                                  int width, int height) {
+std::vector<TriangleWords> set_up(const Shape& config, const ScreenTriangle& triangle, const DrawWords& draw, int width,
+                                  int height) {
   if (std::max(width, height) > config.screen_size()) throw std::invalid_argument("the screen exceeds screen_bits");
   const Corners corners = sort_corners(config, triangle);
   const std::vector<Piece> pieces = cover(config, corners, width, height);
@@ -31,12 +31,12 @@ std::vector<TriangleWords> set_up(const Config& config, const ScreenTriangle& tr
   return packets;
 }
 
-std::vector<TriangleWords> set_up(const Config& config, const ScreenTriangle& triangle, const DrawState& state,
+std::vector<TriangleWords> set_up(const Shape& config, const ScreenTriangle& triangle, const DrawState& state,
                                   const std::vector<Texture>& textures, int width, int height) {
   return set_up(config, triangle, quantise(config, state, textures), width, height);
 }
 
-PacketStream build_packets(const Config& config, const Frame& frame) {
+PacketStream build_packets(const Shape& config, const Frame& frame) {
   PacketStream stream;
   for (std::uint32_t index = 0; index < frame.draws.size(); ++index) {
     const Draw& draw = frame.draws[index];

@@ -18,7 +18,7 @@ namespace wrinkle {
 namespace {
 
 // What set-up accepts [packet.h], whole pixels.
-GuardBand guard_band(const Config& config) {
+GuardBand guard_band(const Shape& config) {
   const double screen = config.screen_size();
   return {-screen, 2 * screen - 1};
 }
@@ -72,9 +72,9 @@ struct BoundMap {
 bool has_derivatives(const Object& object) { return object.heights && !object.mesh.surfaces.empty(); }
 
 // The space that a draw lights in. Blinn's N' is in that of Pu and Pv; N of the rotated frame is its z.
-ShadingSpace space_of(const Config& config, const Object& object, const DrawState& state) {
-  if (config.is(Datapath::kRotated)) return ShadingSpace::kTangent;
-  return config.has_texture_normal() && state.bump ? object.space : ShadingSpace::kWorld;
+ShadingSpace space_of(const Shape& config, const Object& object, const DrawState& state) {
+  if (config.normal_width == 0) return ShadingSpace::kTangent;
+  return config.surface_is_z != 0 && state.bump ? object.space : ShadingSpace::kWorld;
 }
 
 // `B` and `C` times the scale of the slopes, and all by a power of two that brings the largest of the draw into
@@ -104,7 +104,7 @@ struct Facing {
 
 class FrameBuilder {
  public:
-  FrameBuilder(const Config& config, const Scene& scene)
+  FrameBuilder(const Shape& config, const Scene& scene)
       : config_(config),
         scene_(scene),
         projection_(scene.camera, scene.width, scene.height),
@@ -135,7 +135,7 @@ class FrameBuilder {
                     Draw& draw) const;
   ScreenVertex snap(const ClipVertex& vertex, const DrawState& state, bool back) const;
 
-  const Config& config_;
+  const Shape config_;
   const Scene& scene_;
   Projection projection_;
   Illumination illumination_;
@@ -146,12 +146,12 @@ class FrameBuilder {
 };
 
 const BoundMap& FrameBuilder::map_of(const Object& object) {
-  const auto heights = config_.has_blinn() && has_derivatives(object) ? object.heights : nullptr;
+  const auto heights = config_.frame_unbounded != 0 && has_derivatives(object) ? object.heights : nullptr;
   const auto [entry, is_new] = map_of_.try_emplace({object.texture, heights});
   BoundMap& map = entry->second;
   if (!is_new) return map;
   map.index = static_cast<int>(frame_.textures.size());
-  if (!config_.has_blinn()) {
+  if (!config_.frame_unbounded != 0) {
     frame_.exact_textures.push_back(*object.texture);
   } else {
     GradientTexture gradient =
@@ -167,16 +167,16 @@ const BoundMap& FrameBuilder::map_of(const Object& object) {
 // Without a texture (or a datapath) there is nothing to perturb the normal with: the object is lit in world space.
 DrawState FrameBuilder::state_of(const Object& object) {
   DrawState state;
-  state.bump = config_.has_bump() && object.space != ShadingSpace::kWorld && object.texture;
+  state.bump = config_.bump_components != 0 && object.space != ShadingSpace::kWorld && object.texture;
   state.textured = state.bump || (config_.decal != 0 && object.texture);
   // The hardware takes L.z for the cosine at the unperturbed surface, which it is in tangent space alone.
-  const bool in_object_space = config_.has_texture_normal() && state.bump && object.space == ShadingSpace::kObject;
+  const bool in_object_space = config_.surface_is_z != 0 && state.bump && object.space == ShadingSpace::kObject;
   state.shadow = object.shadow && !in_object_space;
   state.wrap_u = object.wrap_u;
   state.wrap_v = object.wrap_v;
   state.texture = state.textured ? map_of(object).index : 0;
   state.material = object.material;
-  if (!config_.has_light_planes()) hold_light(object, state);
+  if (!config_.has_light_planes) hold_light(object, state);
   return state;
 }
 
@@ -185,7 +185,7 @@ void FrameBuilder::hold_light(const Object& object, DrawState& state) const {
   if (!scene_.light.at_infinity || !scene_.viewer_at_infinity)
     throw std::invalid_argument("light_vectors = constant needs light and viewer at infinity");
   const LightVectors light = illumination_.at({});
-  const Vec3 third = config_.has_view_vector() ? light.E : light.H;
+  const Vec3 third = config_.has_view_vector ? light.E : light.H;
   const ShadingSpace space = space_of(config_, object, state);
   if (space == ShadingSpace::kTangent)
     throw std::invalid_argument("light_vectors = constant cannot light \"" + object.name +
@@ -201,7 +201,7 @@ void FrameBuilder::hold_light(const Object& object, DrawState& state) const {
 // The vectors of one vertex, in the space that the draw lights in.
 void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawState& state, ClipVertex& v) const {
   const LightVectors light = illumination_.at(v.P);
-  const Vec3 third = config_.has_view_vector() ? light.E : light.H;
+  const Vec3 third = config_.has_view_vector ? light.E : light.H;
   const TangentFrame frame = tangent_frame(vertex, object.to_world);
   switch (space_of(config_, object, state)) {
     case ShadingSpace::kWorld:
@@ -216,7 +216,7 @@ void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawS
       v.H = to_object_space(object.to_world, third);
       break;
   }
-  if (!config_.has_blinn() || !state.bump) return;
+  if (!config_.frame_unbounded != 0 || !state.bump) return;
   Vertex repeated = vertex;
   repeated.Pu = 1 / object.repeat.x * vertex.Pu;
   repeated.Pv = 1 / object.repeat.y * vertex.Pv;
@@ -236,7 +236,7 @@ std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawStat
     light(object, vertex, state, v);
     vertices.push_back(v);
   }
-  if (config_.has_blinn() && state.bump) scale_to_block(gradient_scale, vertices);
+  if (config_.frame_unbounded != 0 && state.bump) scale_to_block(gradient_scale, vertices);
   return vertices;
 }
 
@@ -293,7 +293,7 @@ ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state
     return static_cast<std::int32_t>(std::floor(std::clamp(pixels, band_.low, band_.high) * grid + 0.5));
   };
   const ScreenPoint& p = vertex.screen;
-  const bool turn_light = back && ((config_.has_texture_normal() && state.bump) || config_.is(Datapath::kRotated));
+  const bool turn_light = back && ((config_.surface_is_z != 0 && state.bump) || config_.normal_width == 0);
   const bool turn_normal = back && !turn_light;
   ScreenVertex v;
   v.x = to_grid(p.x / p.w);
@@ -314,6 +314,6 @@ ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state
 
 }  // namespace
 
-Frame build_frame(const Config& config, const Scene& scene) { return FrameBuilder(config, scene).build(); }
+Frame build_frame(const Shape& config, const Scene& scene) { return FrameBuilder(config, scene).build(); }
 
 }  // namespace wrinkle

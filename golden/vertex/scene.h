@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/texel/grid.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/draw.h"
@@ -63,6 +63,6 @@ struct Scene {
 
 // The vertex rate: transforms, lights, clips to the guard band, culls, projects and snaps. Textures are quantised for
 // `config`.
-Frame build_frame(const Config& config, const Scene& scene);
+Frame build_frame(const Shape& config, const Scene& scene);
 
 }  // namespace wrinkle

@@ -1,6 +1,6 @@
 `default_nettype none
-// Takes along what a stage does not use: BITS that come out with the fragment they came in with. The stage does not know
-// what they are, and this unit alone decides how they are kept. Today that is RANKS registers steered by `advance_i`;
+// Takes along what a stage does not use: BITS that come out with the fragment they came in with. The stage does not
+// know what they are, and this unit alone decides how they are kept. Today that is RANKS registers steered by `advance_i`;
 // where BUFFER_BITS is not 0 a buffer of 2^BUFFER_BITS entries behind them, steered by a wrinkle_fifo; and LATE_RANKS
 // registers behind that, steered by `late_advance_i`. RANKS = 0 with no buffer is a wire. Latency is theirs. The bits are
 // kept in words of at most 64, which simulate faster than one wide vector.

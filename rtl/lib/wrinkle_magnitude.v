@@ -1,22 +1,16 @@
 `default_nettype none
-// |value| in BITS bits; the one value that does not fit, -2^BITS, saturates. Combinational: a negation inverts the bits
-// above the lowest one that is set, so that no adder is needed.
+// |value| in BITS bits; the one value that does not fit, -2^BITS, saturates. Combinational. A synthesis map may arrange
+// the negation.
 module wrinkle_magnitude #(
   parameter BITS = 10
 ) (
   input  wire [BITS:0]   value_i,
   output wire [BITS-1:0] magnitude_o
 );
-  function [BITS-1:0] inverted;
-    input [BITS:0] value;
-    integer a;
-    begin
-      inverted = {BITS{1'b0}};
-      inverted[0] = value[BITS] & ~|value[BITS-1:0];
-      for (a = 1; a < BITS; a = a + 1) inverted[a] = inverted[a-1] | (value[BITS] & value[a-1]);
-    end
-  endfunction
+  wire            negative = value_i[BITS];
+  wire            lowest   = negative & ~|value_i[BITS-1:0];
+  wire [BITS-1:0] minus    = {BITS{1'b0}} - value_i[BITS-1:0];
 
-  assign magnitude_o = value_i[BITS-1:0] ^ inverted(value_i);
+  assign magnitude_o = lowest ? {BITS{1'b1}} : negative ? minus : value_i[BITS-1:0];
 endmodule
 `default_nettype wire

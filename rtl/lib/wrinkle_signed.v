@@ -1,5 +1,5 @@
 `default_nettype none
-// negative ? -magnitude : magnitude. Combinational.
+// negative ? -magnitude : magnitude. Combinational. A synthesis map may arrange the negation.
 module wrinkle_signed #(
   parameter BITS = 10
 ) (
@@ -7,16 +7,8 @@ module wrinkle_signed #(
   input  wire            negative_i,
   output wire [BITS:0]   value_o
 );
-  function [BITS:0] inverted;
-    input [BITS-1:0] magnitude;
-    input            negative;
-    integer a;
-    begin
-      inverted = {(BITS + 1){1'b0}};
-      for (a = 1; a <= BITS; a = a + 1) inverted[a] = inverted[a-1] | (negative & magnitude[a-1]);
-    end
-  endfunction
+  wire [BITS:0] magnitude = {1'b0, magnitude_i};
 
-  assign value_o = {1'b0, magnitude_i} ^ inverted(magnitude_i, negative_i);
+  assign value_o = negative_i ? -magnitude : magnitude;
 endmodule
 `default_nettype wire

@@ -22,8 +22,9 @@ module wrinkle_perturb_blinn #(
   output wire [CARRY-1:0]                      carry_o,
   output wire busy_o
 );
-  localparam WW   = FRAME / 9;
-  localparam GRAD = BUMP / 2;
+  // Of 32 bits, since Icarus widens what is computed from numbers without a size.
+  localparam [31:0] WW   = FRAME / 9;
+  localparam [31:0] GRAD = BUMP / 2;
 
   wire advance;
   wire [GRAD-1:0] fu = draw_bump_i ? bump_i[0 +: GRAD] : {GRAD{1'b0}};

@@ -3,8 +3,9 @@
 // digital differential analyser an element, or held over the triangle. The walk of wrinkle_scan leads them. Values are
 // those of the pixel on which the scan stands: latency 0, no handshake of its own. They come out in one vector: the
 // fields whose first reader is the latest stage stand in the low bits, then in the order of the list, so that what a
-// stage carries along is one part of it. BUFFERING double: the next packet shifts into a shadow while this one is drawn;
-// single: into the interpolators, when it is drawn. Does not correct for perspective: there u and v are u*q and v*q.
+// stage carries along is one part of it. BUFFERING double: the next packet shifts into a shadow while this one is
+// drawn; single: into the interpolators, when it is drawn. Does not correct for perspective: there u and v are u*q and
+// v*q.
 module wrinkle_interpolate #(
   parameter SHARING    = 0,
   parameter BUFFERING  = 0,
@@ -58,8 +59,9 @@ module wrinkle_interpolate #(
 
   localparam BITS = packet_bits_before(FIELDS);
 
-  // double: the shadow; single: the interpolators' own registers, and plain ones for what is held. These have no
-  // bits for the padding of the last word: it goes to its place at once, all others shift past below it.
+  // double: the packet is the shadow, through which its words shift. single: the packet is what the interpolators and
+  // the held fields have in their own registers. These have no bits for the padding of the last word. So the last word
+  // is written where it belongs, and the earlier ones shift down below it.
   wire [64*WORDS-1:0] packet;
   wire [BITS-1:0]     fields;  // single: as each element has them; double: 0
   wire [64*WORDS-1:0] shifts;  // single: which bits of the packet take those of `next`

@@ -29,6 +29,7 @@ module wrinkle_light #(
   input  wire [3:0] draw_squarings_i,
   input  wire       in_valid_i,
   output wire       in_ready_o,
+  input  wire       ahead_i,                                // SHARING: see wrinkle_shared_units; else 0
   input  wire [UNIT-1:0]                       n_i,         // s1.F, a mantissa s0.F
   input  wire [UNIT-1:0]                       l_i,
   input  wire [(LIGHTING != 0 ? UNIT : 1)-1:0] h_i,
@@ -43,7 +44,7 @@ module wrinkle_light #(
   output wire [CARRY-1:0]                          carry_o,
   output wire       busy_o
 );
-  wire unused_pins = &{1'b0, scale_i};
+  wire unused_pins = &{1'b0, scale_i, ahead_i};
 
   generate
     if (SHARING != 0) begin : shared
@@ -53,9 +54,9 @@ module wrinkle_light #(
       ) light (
         .clk(clk), .rst(rst), .draw_bump_i(draw_bump_i), .draw_shadow_i(draw_shadow_i),
         .draw_exponent_zero_i(draw_exponent_zero_i), .draw_squarings_i(draw_squarings_i), .in_valid_i(in_valid_i),
-        .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i), .carry_i(carry_i), .out_valid_o(out_valid_o),
-        .out_ready_i(out_ready_i), .nl_o(nl_o), .nh_o(nh_o), .diffuse_o(diffuse_o), .specular_o(specular_o),
-        .carry_o(carry_o), .busy_o(busy_o));
+        .in_ready_o(in_ready_o), .ahead_i(ahead_i), .n_i(n_i), .l_i(l_i), .h_i(h_i), .carry_i(carry_i),
+        .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .nl_o(nl_o), .nh_o(nh_o), .diffuse_o(diffuse_o),
+        .specular_o(specular_o), .carry_o(carry_o), .busy_o(busy_o));
     end else begin : separate
       wrinkle_separate_light #(
         .LIGHTING(LIGHTING), .NORMALIZE_ORDER(NORMALIZE_ORDER), .SELF_SHADOW(SELF_SHADOW), .NORMAL_IS_Z(NORMAL_IS_Z),

@@ -37,6 +37,7 @@ module wrinkle_normalize #(
   output wire [(LIGHTING != 0 ? UNIT : 1)-1:0] h_o,
   output wire [(SCALES != 0 ? SCALES : 1)-1:0] scale_o, // u1.RB each, of N in the low bits
   output wire                                 zero_o,
+  output wire                                 ahead_o,  // SHARING: see wrinkle_shared_units; else 0
   output wire [CARRY-1:0]                     carry_o,
   output wire busy_o
 );
@@ -47,13 +48,17 @@ module wrinkle_normalize #(
       assign scale_o = 1'b0;
     end
 
+    if (SHARING == 0) begin : at_once
+      assign ahead_o = 1'b0;
+    end
+
     if (SHARING != 0) begin : shared
       wrinkle_shared_units #(
         .NORMALIZER(NORMALIZER_N), .VECTOR_BITS(VECTOR_BITS), .UNIT_BITS(UNIT_BITS), .CARRY(CARRY)
       ) units (
         .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .n_i(n_i), .l_i(l_i), .h_i(h_i),
         .carry_i(carry_i), .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .n_o(n_o), .l_o(l_o), .h_o(h_o),
-        .zero_o(zero_o), .carry_o(carry_o), .busy_o(busy_o));
+        .zero_o(zero_o), .ahead_o(ahead_o), .carry_o(carry_o), .busy_o(busy_o));
     end else if (NORMALIZE_ORDER != 0) begin : deferred
       wrinkle_deferred_units #(
         .GLOSSY(LIGHTING != 0 ? 1 : 0), .NORMAL_INPUT_BITS(NORMAL_INPUT_BITS), .VECTOR_BITS(VECTOR_BITS),

@@ -21,7 +21,8 @@ module wrinkle_scan #(
   input  wire                   triangle_valid_i,
   output wire                   load_o,            // the row engine takes the packet
   output wire                   step_o,            // ... goes to its next row
-  output wire                   carry_o,           // ... where the start edge has moved one pixel more; in turn: then
+  output wire                   carry_o,           // ... and the start edge has moved one pixel more; with one
+                                                   // sum a clock this comes in the clock after step_o
   output wire                   span_o,            // the pixel engine takes the row
   output wire                   first_o,           // ... the first one of a packet
   output wire                   pixel_o,           // ... goes to its next pixel

@@ -92,7 +92,7 @@ module wrinkle_compact_normalizer #(
   wire [3*SQUARE_BITS-1:0] leading;
   wire [2*SQUARE_BITS+1:0] s1, s2;
 
-  wrinkle_cut_squares #(
+  wrinkle_truncated_squares #(
     .BITS(SQUARE_BITS), .CUT(SQUARE_CUT), .CONSTANT(SQUARE_CONSTANT[2*SQUARE_BITS+1:0])
   ) squares (.m_i(leading), .sum_o(s1));
   wrinkle_delay #(.WIDTH(2*SQUARE_BITS + 2), .RANKS(1)) rank2 (
@@ -102,7 +102,6 @@ module wrinkle_compact_normalizer #(
   wire [INPUT_BITS-1:0]  t;
   wire                   halve;
   wire [OUTPUT_BITS:0]   r4;
-  wire [OUTPUT_BITS+2:0] r4_3 = {2'b00, r4} + {1'b0, r4, 1'b0};
 
   wrinkle_root_argument #(.NEAR(NEAR), .BITS(SQUARE_BITS), .INPUT_BITS(INPUT_BITS)) argument (
     .sum_i(s2), .t_o(t), .halve_o(halve));
@@ -134,10 +133,10 @@ module wrinkle_compact_normalizer #(
       end
       assign leading[k*SQUARE_BITS +: SQUARE_BITS] = m1[k*P+P-1 -: SQUARE_BITS];
 
-      wrinkle_cut_product #(
+      wrinkle_truncated_product #(
         .M_BITS(P), .R_BITS(OUTPUT_BITS + 1), .SHIFT(SHIFT), .RESULT_BITS(F + 1), .CUT(PRODUCT_CUT),
         .CONSTANT(PRODUCT_CONSTANT[SHIFT+F:0])
-      ) multiply (.m_i(m4[k*P +: P]), .r_i(r4), .r3_i(r4_3), .result_o(n));
+      ) multiply (.m_i(m4[k*P +: P]), .r_i(r4), .result_o(n));
       wrinkle_signed #(.BITS(F + 1)) sign (
         .magnitude_i(n), .negative_i(negative4[k]), .value_o(unit[k*(F+2) +: F+2]));
     end

@@ -23,36 +23,19 @@ module wrinkle_compact_rsqrt #(
   localparam BASE_BITS  = OUTPUT_BITS + GUARD_BITS + 1;
   localparam SLOPE_BITS = OUTPUT_BITS + GUARD_BITS - SEGMENT_BITS;
   localparam ENTRY      = SLOPE_BITS + BASE_BITS;
-  localparam SEGMENTS   = 2 << SEGMENT_BITS;
+  localparam ROWS       = 2 << SEGMENT_BITS;
 
-  // floor(sqrt(x))
-  function [63:0] isqrt;
-    input [63:0] x;
-    integer place;
-    reg [63:0] rest, trial;
-    begin
-      isqrt = 64'd0;
-      rest  = x;
-      for (place = 62; place >= 0; place = place - 2) begin
-        trial = isqrt + (64'd1 << place);
-        isqrt = isqrt >> 1;
-        if (rest >= trial) begin
-          rest  = rest - trial;
-          isqrt = isqrt + (64'd1 << place);
-        end
-      end
-    end
-  endfunction
+`include "wrinkle_isqrt.vh"
 
   // 2^(RB+g) / sqrt(t) of the middle of x, rounded to nearest
   function [63:0] root;
     input [63:0] x;
     input integer half;
-    root = (isqrt((64'd1 << (2 * (OUTPUT_BITS + GUARD_BITS) + INPUT_BITS + 3 - half)) / ((x << 1) + 64'd1)) + 64'd1)
-           >> 1;
+    root = (isqrt((64'd1 << (2 * (OUTPUT_BITS + GUARD_BITS) + INPUT_BITS + 3 - half)) / ((x << 1) + 64'd1),
+                  64'd1 << (OUTPUT_BITS + GUARD_BITS + 2)) + 64'd1) >> 1;
   endfunction
 
-  // slope * 2^BASE_BITS + base of segment i
+  // Slope and base of segment i
   function [63:0] segment;
     input integer i;
     reg [63:0] width, x0, r0, rm, r1, base, slope, most;
@@ -77,29 +60,39 @@ module wrinkle_compact_rsqrt #(
     end
   endfunction
 
-  reg [63:0] table_q [0:SEGMENTS-1];
-  integer i;
-  initial for (i = 0; i < SEGMENTS; i = i + 1) table_q[i] = segment(i);
+  // All segments, that of index 0 in the low bits.
+  function [ROWS*ENTRY-1:0] segments;
+    input unused;
+    reg [63:0] with_unused_top;
+    integer i;
+    for (i = 0; i < ROWS; i = i + 1) begin
+      with_unused_top = segment(i);
+      segments[i*ENTRY +: ENTRY] = with_unused_top[ENTRY-1:0];
+    end
+  endfunction
+
+  localparam [ROWS*ENTRY-1:0] TABLE = segments(1'b0);
 
   // Both halves of the range keep the same number of bits.
   wire                    half  = t_i[INPUT_BITS-1];
   wire [INPUT_BITS-2:0]   x     = half ? t_i[INPUT_BITS-1:1] : t_i[INPUT_BITS-2:0];
   wire [SEGMENT_BITS:0]   index = {half, x[INPUT_BITS-3 -: SEGMENT_BITS]};
-  wire [63:0]             entry = table_q[index];
-  wire unused_bits = &{1'b0, x, entry};
+  wire unused_one = &{1'b0, x};
 
-  wire [ENTRY-1:0]  entry1;
+  wire [ENTRY-1:0]  entry0, entry1;
   wire [OFFSET-1:0] dx1;
   wire              halve1;
   wire [OUTPUT_BITS:0] r, r1;
 
+  wrinkle_table #(.INDEX_BITS(SEGMENT_BITS + 1), .ENTRY_BITS(ENTRY), .CONTENT(TABLE)) look_up (
+    .index_i(index), .entry_o(entry0));
   wrinkle_delay #(.WIDTH(ENTRY + OFFSET + 1), .RANKS(PIPELINED == 1 ? 1 : 0)) looked_up (
-    .clk(clk), .advance_i(advance_i), .data_i({entry[ENTRY-1:0], ~x[OFFSET-1:0], halve_i}),
+    .clk(clk), .advance_i(advance_i), .data_i({entry0, ~x[OFFSET-1:0], halve_i}),
     .data_o({entry1, dx1, halve1}));
 
   generate
     if (N > 0) begin : linear
-      wrinkle_cut_segment #(
+      wrinkle_truncated_segment #(
         .N(N), .BASE_BITS(BASE_BITS), .SLOPE_BITS(SLOPE_BITS), .DROPPED_COLUMNS(DROPPED_COLUMNS),
         .RESULT_BITS(OUTPUT_BITS + 1)
       ) line (

@@ -48,8 +48,10 @@ module wrinkle_dda_in_place #(
   endgenerate
 
   always @(posedge clk) begin
-    {dw_q, row_q, row_value_q} <= (shift_i & next_i) |
-                                  (~shift_i & {dw_q, row_q, to_row ? next_row_value : row_value_q});
+    if (to_row) row_value_q <= next_row_value;
+    if (|shift_i)
+      {dw_q, row_q, row_value_q} <= (shift_i & next_i) |
+                                    (~shift_i & {dw_q, row_q, to_row ? next_row_value : row_value_q});
     if (to_pixel) value_q <= next_value;
   end
 endmodule

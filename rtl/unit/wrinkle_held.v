@@ -1,7 +1,8 @@
 `default_nettype none
-// A packet field that is held over a triangle. BUFFERING double: it follows the row engine and the pixel engine like a
-// gradient, from a shadow whose words shift past; single: its part of the packet is its register, which stays until the
-// last pixel. Latency 0 from its registers.
+// A packet field that is held over a triangle: it has the same value at every pixel. BUFFERING double: the field is
+// copied from the shadow to the row engine when that takes the packet, and to the pixel engine with the packet's first
+// row, since the pixel engine may still draw the triangle before. single: the field's part of the packet is its
+// register, and stays until the last pixel. Latency 0 from its registers.
 module wrinkle_held #(
   parameter WIDTH     = 9,
   parameter BUFFERING = 0

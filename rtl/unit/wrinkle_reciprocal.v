@@ -16,6 +16,7 @@ module wrinkle_reciprocal #(
   localparam GUARD_BITS   = 2;
   localparam BASE_BITS    = OUTPUT_BITS + GUARD_BITS + 2;
   localparam SLOPE_BITS   = OUTPUT_BITS + GUARD_BITS - SEGMENT_BITS + 2;
+  localparam ENTRY        = SLOPE_BITS + BASE_BITS;
   localparam ROWS         = 1 << SEGMENT_BITS;
 
   // 2^(R+g+Q) / (x / 2), rounded to nearest
@@ -24,7 +25,7 @@ module wrinkle_reciprocal #(
     root = ((64'd1 << (OUTPUT_BITS + GUARD_BITS + INPUT_BITS + 2)) / x + 64'd1) >> 1;
   endfunction
 
-  // slope * 2^BASE_BITS + base of segment i: the chord, lowered by half its sagitta, plus half an LSB of r.
+  // Slope and base of segment i: the chord, lowered by half its sagitta, plus half an LSB of r.
   function [63:0] segment;
     input integer i;
     reg [63:0] m0, width, r0, rm, r1, base, slope;
@@ -40,18 +41,28 @@ module wrinkle_reciprocal #(
     end
   endfunction
 
-  reg [63:0] table_q [0:ROWS-1];
-  integer i;
-  initial for (i = 0; i < ROWS; i = i + 1) table_q[i] = segment(i);
+  // All segments, that of index 0 in the low bits.
+  function [ROWS*ENTRY-1:0] segments;
+    input unused;
+    reg [63:0] with_unused_top;
+    integer i;
+    for (i = 0; i < ROWS; i = i + 1) begin
+      with_unused_top = segment(i);
+      segments[i*ENTRY +: ENTRY] = with_unused_top[ENTRY-1:0];
+    end
+  endfunction
 
-  wire [63:0] entry = table_q[m_i[INPUT_BITS-2:N]];
-  wire unused_top = &{1'b0, entry};
-  reg [SLOPE_BITS+BASE_BITS-1:0] segment_q;
-  reg [OUTPUT_BITS:0]            r_q;
-  wire [OUTPUT_BITS:0]           r;
-  wire [(N > 0 ? N : 1)-1:0]     dx;
+  localparam [ROWS*ENTRY-1:0] TABLE = segments(1'b0);
+
+  wire [ENTRY-1:0]           segment_d;
+  reg [ENTRY-1:0]            segment_q;
+  reg [OUTPUT_BITS:0]        r_q;
+  wire [OUTPUT_BITS:0]       r;
+  wire [(N > 0 ? N : 1)-1:0] dx;
   wire unused_one = &{1'b0, m_i[INPUT_BITS-1]};
 
+  wrinkle_table #(.INDEX_BITS(SEGMENT_BITS), .ENTRY_BITS(ENTRY), .CONTENT(TABLE)) look_up (
+    .index_i(m_i[INPUT_BITS-2:N]), .entry_o(segment_d));
   wrinkle_segment #(
     .BASE_BITS(BASE_BITS), .SLOPE_BITS(SLOPE_BITS), .N(N), .GUARD(GUARD_BITS), .RESULT_BITS(OUTPUT_BITS + 1)
   ) interpolate (
@@ -71,7 +82,7 @@ module wrinkle_reciprocal #(
 
   always @(posedge clk)
     if (advance_i) begin
-      segment_q <= entry[SLOPE_BITS+BASE_BITS-1:0];
+      segment_q <= segment_d;
       r_q       <= r;
     end
 endmodule

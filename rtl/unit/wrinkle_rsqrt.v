@@ -18,34 +18,19 @@ module wrinkle_rsqrt #(
   localparam N          = INPUT_BITS - 1 - SEGMENT_BITS;
   localparam BASE_BITS  = OUTPUT_BITS + GUARD_BITS + 2;
   localparam SLOPE_BITS = OUTPUT_BITS + GUARD_BITS - SEGMENT_BITS + 1;
+  localparam ENTRY      = SLOPE_BITS + BASE_BITS;
   localparam ROWS       = 2 << SEGMENT_BITS;
 
-  // floor(sqrt(x))
-  function [63:0] isqrt;
-    input [63:0] x;
-    integer place;
-    reg [63:0] rest, trial;
-    begin
-      isqrt = 64'd0;
-      rest  = x;
-      for (place = 62; place >= 0; place = place - 2) begin
-        trial = isqrt + (64'd1 << place);
-        isqrt = isqrt >> 1;
-        if (rest >= trial) begin
-          rest  = rest - trial;
-          isqrt = isqrt + (64'd1 << place);
-        end
-      end
-    end
-  endfunction
+`include "wrinkle_isqrt.vh"
 
   // 2^(RB+g) / sqrt((t + 1/2) 2^-SB), rounded to nearest
   function [63:0] root;
     input [63:0] t;
-    root = (isqrt((64'd1 << (2 * (OUTPUT_BITS + GUARD_BITS) + INPUT_BITS + 3)) / ((t << 1) + 64'd1)) + 64'd1) >> 1;
+    root = (isqrt((64'd1 << (2 * (OUTPUT_BITS + GUARD_BITS) + INPUT_BITS + 3)) / ((t << 1) + 64'd1),
+                  64'd1 << (OUTPUT_BITS + GUARD_BITS + 2)) + 64'd1) >> 1;
   endfunction
 
-  // slope * 2^BASE_BITS + base of segment i: the chord, lowered by half its sagitta, plus half an LSB of r.
+  // Slope and base of segment i: the chord, lowered by half its sagitta, plus half an LSB of r.
   function [63:0] segment;
     input integer i;
     reg [63:0] step, t0, r0, rm, r1, base, slope;
@@ -62,9 +47,18 @@ module wrinkle_rsqrt #(
     end
   endfunction
 
-  reg [63:0] table_q [0:ROWS-1];
-  integer i;
-  initial for (i = 0; i < ROWS; i = i + 1) table_q[i] = segment(i);
+  // All segments, that of index 0 in the low bits.
+  function [ROWS*ENTRY-1:0] segments;
+    input unused;
+    reg [63:0] with_unused_top;
+    integer i;
+    for (i = 0; i < ROWS; i = i + 1) begin
+      with_unused_top = segment(i);
+      segments[i*ENTRY +: ENTRY] = with_unused_top[ENTRY-1:0];
+    end
+  endfunction
+
+  localparam [ROWS*ENTRY-1:0] TABLE = segments(1'b0);
 
   // Both halves of the range are brought to the same segment width.
   wire                  half  = t_i[INPUT_BITS-1];
@@ -72,14 +66,14 @@ module wrinkle_rsqrt #(
   wire [SEGMENT_BITS:0] index = {half, x[INPUT_BITS-2:N]};
   wire unused_one = &{1'b0, x[INPUT_BITS-1]};
 
-  wire [63:0] entry = table_q[index];
-  wire unused_top = &{1'b0, entry};
-  wire [SLOPE_BITS+BASE_BITS-1:0] segment1;
-  wire [N-1:0]                    dx1;
-  wire [OUTPUT_BITS:0]            r;
+  wire [ENTRY-1:0]     segment0, segment1;
+  wire [N-1:0]         dx1;
+  wire [OUTPUT_BITS:0] r;
 
-  wrinkle_delay #(.WIDTH(SLOPE_BITS + BASE_BITS + N), .RANKS(PIPELINED == 1 ? 1 : 0)) rank1 (
-    .clk(clk), .advance_i(advance_i), .data_i({entry[SLOPE_BITS+BASE_BITS-1:0], x[N-1:0]}), .data_o({segment1, dx1}));
+  wrinkle_table #(.INDEX_BITS(SEGMENT_BITS + 1), .ENTRY_BITS(ENTRY), .CONTENT(TABLE)) look_up (
+    .index_i(index), .entry_o(segment0));
+  wrinkle_delay #(.WIDTH(ENTRY + N), .RANKS(PIPELINED == 1 ? 1 : 0)) rank1 (
+    .clk(clk), .advance_i(advance_i), .data_i({segment0, x[N-1:0]}), .data_o({segment1, dx1}));
   wrinkle_segment #(
     .BASE_BITS(BASE_BITS), .SLOPE_BITS(SLOPE_BITS), .N(N), .GUARD(GUARD_BITS), .RESULT_BITS(OUTPUT_BITS + 1)
   ) interpolate (

@@ -1,7 +1,8 @@
 `default_nettype none
-// The light stage with one dot product in turn: N.H in the clock in which it finds a fragment, N.L in the next, in which
-// it takes it, and the power by SQUARERS = ceil(K/3) squarers in a row, used up to three times. A fragment in three
-// clocks. Latency 2 from the transfer; 3 with SELF_SHADOW, or where the squarers are used a third time.
+// The light stage with one dot product in turn: N.H as soon as `ahead_i` says that n_i and h_i stand, N.L in the clock
+// after, in which the fragment is valid and taken, and the power by SQUARERS = ceil(K/3) squarers in a row, used up to
+// three times. A fragment in three clocks. Latency 2 from the transfer; 3 with SELF_SHADOW, or where the squarers are
+// used a third time.
 module wrinkle_shared_light #(
   parameter SURFACE_IS_Z       = 1,
   parameter SELF_SHADOW        = 1,
@@ -18,6 +19,7 @@ module wrinkle_shared_light #(
   input  wire                       draw_exponent_zero_i,
   input  wire [3:0]                 draw_squarings_i,
   input  wire                       in_valid_i,
+  input  wire                       ahead_i,     // n_i and h_i stand, and the fragment is valid from the next clock
   output wire                       in_ready_o,
   input  wire [3*(UNIT_BITS+2)-1:0] n_i,         // s1.F
   input  wire [3*(UNIT_BITS+2)-1:0] l_i,
@@ -43,14 +45,16 @@ module wrinkle_shared_light #(
   localparam THIRD    = K > 2 * SQUARERS ? 1 : 0;
   localparam LATE     = SELF_SHADOW != 0 || THIRD != 0 ? 1 : 0;  // a rank more, at the output
 
-  // A fragment is found at the input; it is in its second clock, in its third, or done but for the rank at the output.
+  wire unused_valid = in_valid_i;  // in the second clock it always is
+
+  // A fragment stands at the input; it is in its second clock, in its third, or done but for the rank at the output.
   reg  second_q, third_q, done_q;
   wire done_taken;
   wire first = ~second_q & ~third_q & (~done_q | done_taken);
   assign in_ready_o = second_q;
   always @(posedge clk)
     if (rst) {second_q, third_q, done_q} <= 3'b000;
-    else {second_q, third_q, done_q} <= {first & in_valid_i, second_q, third_q | (done_q & ~done_taken)};
+    else {second_q, third_q, done_q} <= {first & ahead_i, second_q, third_q | (done_q & ~done_taken)};
 
   // The dot product in turn, as in wrinkle_clamped_dot.
   wire [3*W-1:0]            other = second_q ? l_i : h_i;

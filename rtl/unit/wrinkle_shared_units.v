@@ -1,10 +1,10 @@
 `default_nettype none
-// N, L and H to unit length by one normalizer in turn: a fragment in three clocks, in which it waits at the input. H
-// goes in in the first, L in the second, N in the third. The normalizer has two ranks and never stops: when H comes
-// out, the fragment is taken if the one before has left or is leaving, and H, L and N are caught in three clocks; if
+// N, L and H to unit length by one normalizer in turn: a fragment in three clocks, in which it waits at the input. N
+// goes in in the first, H in the second, L in the third. The normalizer has two ranks and never stops: when N comes
+// out, the fragment is taken if the one before has left or is leaving, and N, H and L are caught in three clocks; if
 // not, all three go in again. So neither the ranks of the normalizer nor the carry need room for a stall.
-// The fragment is valid in the clock in which N comes out, on the wire that its register will take. That gives whoever
-// takes it two clocks to look before the next H comes, and so wrinkle_shared_light its two dot products. Latency 4.
+// n_o and h_o stand a clock before the fragment is valid, and `ahead_o` says so: wrinkle_shared_light may multiply them
+// then, and n_o by l_o in the clock in which it takes the fragment. All of them hold until it is taken. Latency 5.
 module wrinkle_shared_units #(
   parameter NORMALIZER  = 1,   // not none
   parameter VECTOR_BITS = 9,   // V
@@ -25,16 +25,17 @@ module wrinkle_shared_units #(
   output wire [3*(UNIT_BITS+2)-1:0]   l_o,
   output wire [3*(UNIT_BITS+2)-1:0]   h_o,
   output wire                         zero_o,       // one of them was zero
+  output wire                         ahead_o,      // n_o and h_o stand, and hold as a valid fragment does
   output wire [CARRY-1:0]             carry_o,
   output wire                         busy_o
 );
   localparam UNIT = 3 * (UNIT_BITS + 2);
 
-  // What goes in, L or N, else H; and what is caught after H: L, N.
-  reg  in_l_q, in_n_q, out_l_q, out_n_q, full_q;
-  wire take = in_n_q & (~full_q | out_ready_i);
+  // What goes in, H or L, else N; and what is caught after N: H, L.
+  reg  in_h_q, in_l_q, out_h_q, out_l_q, full_q;
+  wire take = in_l_q & (~full_q | out_ready_i);
 
-  wire [3*(VECTOR_BITS+2)-1:0] vector = in_n_q ? n_i : in_l_q ? l_i : h_i;
+  wire [3*(VECTOR_BITS+2)-1:0] vector = in_l_q ? l_i : in_h_q ? h_i : n_i;
   wire [UNIT-1:0] unit;
   wire            zero;
 
@@ -46,28 +47,29 @@ module wrinkle_shared_units #(
   reg             zero_q;
 
   assign in_ready_o  = take;
-  assign out_valid_o = out_n_q | full_q;
-  assign n_o         = out_n_q ? unit : n_q;
+  assign out_valid_o = full_q;
+  assign ahead_o     = out_l_q | full_q;
+  assign n_o         = n_q;
   assign l_o         = l_q;
   assign h_o         = h_q;
-  assign zero_o      = zero_q | (out_n_q & zero);
-  assign busy_o      = in_l_q | in_n_q | out_l_q | out_n_q | full_q;
+  assign zero_o      = zero_q;
+  assign busy_o      = in_h_q | in_l_q | out_h_q | out_l_q | full_q;
 
   always @(posedge clk)
-    if (rst) {in_l_q, in_n_q, out_l_q, out_n_q, full_q} <= 5'd0;
+    if (rst) {in_h_q, in_l_q, out_h_q, out_l_q, full_q} <= 5'd0;
     else begin
-      in_l_q  <= in_valid_i & ~in_l_q & ~in_n_q;
-      in_n_q  <= in_l_q;
-      out_l_q <= take;
-      out_n_q <= out_l_q;
-      full_q  <= out_valid_o & ~out_ready_i;
+      in_h_q  <= in_valid_i & ~in_h_q & ~in_l_q;
+      in_l_q  <= in_h_q;
+      out_h_q <= take;
+      out_l_q <= out_h_q;
+      full_q  <= out_l_q | (full_q & ~out_ready_i);
     end
 
   always @(posedge clk) begin
-    if (take) h_q <= unit;
+    if (take) n_q <= unit;
+    if (out_h_q) h_q <= unit;
     if (out_l_q) l_q <= unit;
-    n_q <= n_o;
-    if (take | out_l_q | out_n_q) zero_q <= zero | (zero_q & ~take);
+    if (take | out_h_q | out_l_q) zero_q <= zero | (zero_q & ~take);
   end
 
   wrinkle_carry #(.BITS(CARRY), .RANKS(1)) carry (

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "golden/datapath/datapaths.h"
 #include "sim/report/modules.h"
 #include "sim/synthesis/result.h"
 
@@ -38,9 +39,7 @@ void run_all(const std::vector<std::function<void()>>& jobs) {
 }
 
 SynthesisResult synthesise_module(const StageModule& module, const AreaOptions& options) {
-  SynthesisOptions synthesis = options.synthesis;
-  synthesis.sources = module_sources(module.module);
-  return synthesise(module.module, module.parameters, options.library, synthesis, options.progress);
+  return synthesise(module.module, module.parameters, options.library, options.synthesis, options.progress);
 }
 
 const StageArea& stage_of(const AreaReport& report, const std::string& name) {
@@ -67,6 +66,7 @@ void add(SynthesisResult& sum, const SynthesisResult& other) {
   sum.nand2 += other.nand2;
   sum.flip_flops += other.flip_flops;
   for (const auto& [type, count] : other.cells) sum.cells[type] += count;
+  sum.checked.clocks = std::min(sum.checked.clocks, other.checked.clocks);
   sum.critical_path_ns = std::max(sum.critical_path_ns, other.critical_path_ns);
 }
 
@@ -127,6 +127,12 @@ double AreaReport::critical_path_ns() const {
   return path;
 }
 
+int AreaReport::clocks_equal() const {
+  int clocks = stages.empty() ? 0 : stages.front().result.checked.clocks;
+  for (const StageArea& stage : stages) clocks = std::min(clocks, stage.result.checked.clocks);
+  return clocks;
+}
+
 double AreaReport::deviation() const { return flat.um2 > 0 ? (sum_um2() - lent_um2 - flat.um2) / flat.um2 : 0; }
 
 AreaReport measure_area(const std::string& name, const Config& config, const AreaOptions& options) {
@@ -145,7 +151,7 @@ AreaReport measure_area(const std::string& name, const Config& config, const Are
 }
 
 AreaReport measure_shading(const std::string& name, const Config& config, const AreaOptions& options) {
-  if (!config.is(Datapath::kPhong) && !config.is(Datapath::kTangent))
+  if (Shape(config).normal_like_light == 0)
     throw std::invalid_argument("shading is that of datapath = phong or tangent");
   AreaOptions stage = options;
   stage.flat = false;
@@ -169,7 +175,6 @@ Figures measure_figures(const Config& phong, const Config& blinn, const Config& 
 
 std::vector<NormalizerArea> measure_normalizers(const std::vector<int>& unit_bits, const AreaOptions& options) {
   SynthesisOptions synthesis = options.synthesis;
-  synthesis.sources = module_sources("wrinkle_unit_vector");
   synthesis.registers = false;
   std::vector<NormalizerArea> areas;
   for (const Normalizer kind : {Normalizer::kFaithful, Normalizer::kCompact, Normalizer::kLite, Normalizer::kNear}) {
@@ -218,6 +223,7 @@ nlohmann::json to_json(const AreaReport& report) {
                         {"nand2_given", sum_given(report)},
                         {"flip_flops", report.flip_flops()},
                         {"critical_path_ns", report.critical_path_ns()},
+                        {"checked", {{"clocks", report.clocks_equal()}, {"different", 0}}},
                         {"stages", stages}};
   if (!report.flat.cells.empty()) {
     object["flat"] = to_json(report.flat);
@@ -241,6 +247,7 @@ nlohmann::json to_json(const NormalizerArea& area) {
           {"nand2", area.result.nand2},
           {"um2", area.result.um2},
           {"critical_path_ns", area.result.critical_path_ns},
+          {"checked", to_json(area.result.checked)},
           {"provenance", area.result.provenance}};
 }
 

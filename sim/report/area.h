@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "sim/synthesis/synthesis.h"
 
 namespace wrinkle {
@@ -31,6 +31,8 @@ struct AreaReport {
   int flip_flops() const;
   // The longest of the stages and of flat.
   double critical_path_ns() const;
+  // Of the stages together, how many clocks a netlist and its Verilog were compared: the fewest of any.
+  int clocks_equal() const;
   // (sum of stages in the flat netlist - flat) / flat; 0 without flat.
   double deviation() const;
 };

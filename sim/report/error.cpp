@@ -50,50 +50,50 @@ struct PartSums {
 
 double ulp_of(int fraction_bits) { return std::ldexp(1.0, -fraction_bits); }
 
-// Adds the errors of a part's values against its twin, in ulp of their formats.
-void add_values(const Config& c, Part part, const ReplayedPixel& pixel, PartSums& sums) {
-  const ExactFragment &r = pixel.parts[std::size_t(part)].rounded, &e = pixel.parts[std::size_t(part)].exact;
+// The values of a part against its twin, in units of their formats: those of the fragment i.
+void add_values(const Shape& c, Part part, const Replay& replay, std::size_t i, PartSums& sums) {
+  const exact::Fragments &r = replay.rounded(part), &e = replay.twin(part);
   const double vector = ulp_of(c.vector_bits), unit = ulp_of(c.unit_bits), dot_ulp = ulp_of(c.dot_bits);
-  const double wide = ulp_of(c.wide_bits), gradient = ulp_of(c.gradient_bits), code = ulp_of(c.texel_bits - 1);
-  const bool textured = pixel.draw.texture != nullptr;
+  const double gradient = ulp_of(c.gradient_bits), code = ulp_of(c.texel_bits - 1);
+  const bool textured = replay.draw().texture != nullptr;
+  const auto add_vector = [&](bool present, exact::Column<Vec3> exact::Fragments::*column, double ulp) {
+    if (present) sums.add_vector((r.*column)[i], (e.*column)[i], ulp);
+  };
+  const auto add_number = [&](bool present, exact::Column<double> exact::Fragments::*column, double ulp) {
+    if (present) sums.add_number((r.*column)[i], (e.*column)[i], ulp);
+  };
   const auto add_texture = [&](double normal_ulp, double gradient_ulp) {
-    if (textured && c.has_texture_normal()) sums.add_vector(r.texture_n, e.texture_n, normal_ulp);
-    if (!textured || !c.has_blinn()) return;
-    sums.add_number(r.gradient.x, e.gradient.x, gradient_ulp);
-    sums.add_number(r.gradient.y, e.gradient.y, gradient_ulp);
+    add_vector(textured && c.surface_is_z != 0, &exact::Fragments::texture_n, normal_ulp);
+    if (!textured || c.frame_unbounded == 0) return;
+    sums.add_number(r.gradient[i].x, e.gradient[i].x, gradient_ulp);
+    sums.add_number(r.gradient[i].y, e.gradient[i].y, gradient_ulp);
   };
   switch (part) {
     case Part::kInterpolate:
-      if (c.has_normal_planes()) sums.add_vector(r.interpolated_n, e.interpolated_n, vector);
+      add_vector(c.frame_vectors == 1, &exact::Fragments::interpolated_n, vector);
       for (const auto plane :
-           {&ExactFragment::interpolated_a, &ExactFragment::interpolated_b, &ExactFragment::interpolated_c})
-        if (c.has_blinn()) sums.add_vector(r.*plane, e.*plane, wide);
-      if (c.has_light_planes()) sums.add_vector(r.interpolated_l, e.interpolated_l, vector);
-      if (c.has_light_planes() && c.has_specular()) sums.add_vector(r.interpolated_h, e.interpolated_h, vector);
-      return;
+           {&exact::Fragments::interpolated_a, &exact::Fragments::interpolated_b, &exact::Fragments::interpolated_c})
+        add_vector(c.frame_unbounded != 0, plane, ulp_of(c.wide_bits));
+      add_vector(c.has_light_planes != 0, &exact::Fragments::interpolated_l, vector);
+      return add_vector(c.has_light_planes != 0 && c.glossy != 0, &exact::Fragments::interpolated_h, vector);
     case Part::kTexel:
       return add_texture(code, code);
     case Part::kFilter:
       return add_texture(vector, gradient);
     case Part::kPerturb:
-      if (c.has_normal()) sums.add_vector(r.perturbed_n, e.perturbed_n, ulp_of(c.normal_vector_bits()));
-      return;
+      return add_vector(c.normal_width != 0, &exact::Fragments::perturbed_n, ulp_of(c.normal_bits));
     case Part::kNormalize:
-      sums.add_vector(r.n, e.n, unit);
-      sums.add_vector(r.l, e.l, unit);
-      if (c.has_specular()) sums.add_vector(r.h, e.h, unit);
-      return;
+      add_vector(true, &exact::Fragments::n, unit);
+      add_vector(true, &exact::Fragments::l, unit);
+      return add_vector(c.glossy != 0, &exact::Fragments::h, unit);
     case Part::kDot:
-      sums.add_number(r.nl, e.nl, dot_ulp);
-      if (c.has_specular()) sums.add_number(r.nh, e.nh, dot_ulp);
-      return;
+      add_number(true, &exact::Fragments::nl, dot_ulp);
+      return add_number(c.glossy != 0, &exact::Fragments::nh, dot_ulp);
     case Part::kPower:
-      sums.add_number(r.diffuse, e.diffuse, dot_ulp);
-      if (c.has_specular()) sums.add_number(r.specular, e.specular, ulp_of(c.power_bits));
-      return;
+      add_number(true, &exact::Fragments::diffuse, dot_ulp);
+      return add_number(c.glossy != 0, &exact::Fragments::specular, ulp_of(c.power_bits));
     case Part::kOutput:
-      sums.add_number(r.colour.x, e.colour.x, 1.0 / ((1 << c.colour_bits) - 1));
-      return;
+      return sums.add_number(r.colour[i].x, e.colour[i].x, 1.0 / ((1 << c.colour_bits) - 1));
   }
 }
 
@@ -127,16 +127,19 @@ ErrorReport measure_error(const std::string& config_name, const Config& config, 
   std::array<PartSums, kParts> sums;
   Parts every;
   every.fill(true);
-  for_each_replayed(config, frame, [&](const ReplayedPixel& pixel) {
-    ++report.fragments;
-    report.replay_deviation = std::max(report.replay_deviation, largest(replay(pixel, every) - pixel.golden.colour));
-    for (std::size_t i = 0; i < kParts; ++i) {
-      Parts alone{}, without = every;
-      alone[i] = true;
-      without[i] = false;
-      add_values(config, Part(i), pixel, sums[i]);
-      sums[i].add_colours(replay(pixel, alone), replay(pixel, without), pixel.exact.colour);
-    }
+  const Shape shape(config);
+  for_each_replayed(shape, frame, [&](Replay& replay) {
+    report.fragments += replay.count();
+    const Replay::Colours& replayed = replay.replay(every);
+    for (std::size_t i = 0; i < replay.count(); ++i)
+      report.replay_deviation = std::max(report.replay_deviation, largest(replayed[i] - replay.golden().colour[i]));
+    replay.for_each_part([&](Part part, const Replay::Colours& alone, const Replay::Colours& without) {
+      PartSums& sum = sums[std::size_t(part)];
+      for (std::size_t i = 0; i < replay.count(); ++i) {
+        add_values(shape, part, replay, i, sum);
+        sum.add_colours(alone[i], without[i], replay.exact().colour[i]);
+      }
+    });
   });
   for (std::size_t i = 0; i < kParts; ++i) report.parts.push_back(summary(Part(i), sums[i]));
   std::vector<std::uint8_t> covered;

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "sim/report/modules.h"
+#include "sim/synthesis/result.h"
 
 namespace wrinkle {
 namespace {
@@ -40,13 +41,12 @@ nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>
   nlohmann::json rows = nlohmann::json::array();
   std::vector<std::string> names = stages.empty() ? stage_names() : stages;
   if (stages.empty()) names.push_back("core");
-  fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10}\n", "FPGA", "stage", "LUTs", "FFs", "carries",
-             "multipliers", "memories", "placed ns");
+  fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10} {:>7}\n", "FPGA", "stage", "LUTs", "FFs", "carries",
+             "multipliers", "memories", "placed ns", "equal");
   for (const CellLibrary library : {CellLibrary::kIce40, CellLibrary::kEcp5, CellLibrary::kXilinx}) {
     for (const std::string& name : names) {
       const auto [module, values] = stage_module(name, config);
       SynthesisOptions options;
-      options.sources = module_sources(module);
       SynthesisResult result = synthesise(module, values, library, options, progress);
       const FpgaCells cells = count_fpga_cells(result);
       std::string placed = "-";
@@ -59,8 +59,9 @@ nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>
           placed = "too large";
         }
       }
-      fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10}\n", cell_library_name(library), name, cells.luts,
-                 cells.flip_flops, cells.carries, cells.multipliers, cells.memories, placed);
+      fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10} {:>7}\n", cell_library_name(library), name,
+                 cells.luts, cells.flip_flops, cells.carries, cells.multipliers, cells.memories, placed,
+                 result.checked.clocks);
       rows.push_back({{"library", cell_library_name(library)},
                       {"stage", name},
                       {"luts", cells.luts},
@@ -68,7 +69,8 @@ nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>
                       {"carries", cells.carries},
                       {"multipliers", cells.multipliers},
                       {"memories", cells.memories},
-                      {"placed_ns", result.critical_path_ns}});
+                      {"placed_ns", result.critical_path_ns},
+                      {"checked", to_json(result.checked)}});
     }
   }
   return rows;

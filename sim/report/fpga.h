@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "sim/synthesis/synthesis.h"
 
 namespace wrinkle {

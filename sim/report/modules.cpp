@@ -11,6 +11,7 @@
 #include <regex>
 #include <set>
 
+#include "golden/stages.h"
 #include "tb/process.h"
 
 namespace wrinkle {
@@ -44,13 +45,6 @@ std::set<std::string> words_of(const std::string& text, const char* pattern) {
   std::set<std::string> words;
   for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i) words.insert((*i)[1]);
   return words;
-}
-
-void collect(const std::string& module, std::set<std::string>& found) {
-  if (!found.insert(module).second) return;
-  for (const std::string& name : words_of(read_text(file_of(module)), R"(\b(wrinkle_\w+))")) {
-    if (all_modules().contains(name)) collect(name, found);
-  }
 }
 
 std::string upper(std::string_view name) {
@@ -91,17 +85,7 @@ std::vector<StageModule> instances_of_core(const std::string& chparams) {
 
 }  // namespace
 
-std::vector<std::string> stage_names() {
-  return {"packet", "scan", "interpolate", "perspective", "texture", "perturb", "normalize", "light", "output"};
-}
-
-std::vector<fs::path> module_sources(const std::string& module) {
-  std::set<std::string> names;
-  collect(module, names);
-  std::vector<fs::path> sources;
-  for (const std::string& name : names) sources.push_back(file_of(name));
-  return sources;
-}
+std::vector<std::string> stage_names() { return {kStageNames.begin(), kStageNames.end()}; }
 
 VerilogParameters core_parameters(const Config& config) {
   const std::string text =

@@ -1,20 +1,16 @@
 // The Verilog of this project as a set of modules: one a file, the file named after it.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "sim/synthesis/synthesis.h"
 
 namespace wrinkle {
 
 // The stages of wrinkle_core in the order of its list.
 std::vector<std::string> stage_names();
-
-// The files that `module` needs, its own among them: a change elsewhere leaves its cached result alone.
-std::vector<std::filesystem::path> module_sources(const std::string& module);
 
 // The parameters that the core declares, with the values of the configuration.
 VerilogParameters core_parameters(const Config& config);

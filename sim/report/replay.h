@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <functional>
 #include <string_view>
-#include <vector>
 
 #include "golden/exact/pipeline.h"
 
@@ -23,26 +22,42 @@ inline constexpr std::array<std::string_view, kParts> kPartNames{"interpolators"
                                                                  "normalizer",    "dot",   "power",  "output"};
 using Parts = std::array<bool, kParts>;
 
-// What a part puts out, twin and rounding apart.
-struct PartOutput {
-  ExactFragment exact;    // of the twin given golden's inputs; only the fields of the part are its own
-  ExactFragment rounded;  // golden's
+// Some fragments of one draw: golden's values as real numbers, and what the twins make of them. Vectors that are
+// normalized after the dot products are their mantissas times their scales: what the normalizer puts out and what the
+// dot products are of.
+class Replay {
+ public:
+  using Colours = exact::Column<Vec3>;
+  using PartVisit = std::function<void(Part, const Colours& alone, const Colours& without)>;
+
+  // `exact` up to what is interpolated; `texels`: the codes of the texture of the draw as real numbers.
+  void start(const exact::DrawContext& draw, const ExactTexture* texels, const exact::Fragments& interpolated,
+             const exact::Fragments& golden);
+
+  const exact::DrawContext& draw() const { return *draw_; }
+  std::size_t count() const { return static_cast<std::size_t>(golden_.count); }
+  const exact::Fragments& exact() const { return exact_; }
+  const exact::Fragments& golden() const { return golden_; }
+  // What a part puts out: its twin, given golden's inputs, and golden. Only the values of the part are its own.
+  const exact::Fragments& twin(Part part) const;
+  const exact::Fragments& rounded(Part part) const;
+
+  // The colours with the rounding of the chosen parts; valid until the next call.
+  const Colours& replay(const Parts& chosen);
+  // For each part, last to first, the colours when it alone rounds, and when all others do.
+  void for_each_part(const PartVisit& visit);
+
+ private:
+  void run_from(Part first, const Parts& chosen, exact::Fragments& batch) const;
+  void put_out(Part part, bool is_rounded, exact::Fragments& batch) const;
+
+  const exact::DrawContext* draw_ = nullptr;
+  exact::Fragments exact_, golden_;
+  exact::Fragments twin_, quantised_;  // quantised_: what the filter makes of the codes, without rounding
+  exact::Fragments alone_, without_;
 };
 
-// One pixel: golden's values, as real numbers, and what the twins make of them.
-struct ReplayedPixel {
-  const exact::DrawContext& draw;
-  const ExactFragment& exact;   // the exact datapath's
-  const ExactFragment& golden;  // golden's values as real numbers
-  std::array<PartOutput, kParts> parts;
-};
-
-// The colour with the rounding of the chosen parts only.
-Vec3 replay(const ReplayedPixel& pixel, const Parts& chosen);
-
-// Calls `visit` for every fragment of the frame. Vectors that are normalized after the dot products are their mantissas
-// times their scales: what the normalizer puts out and what the dot products are of.
-void for_each_replayed(const Config& config, const Frame& frame,
-                       const std::function<void(const ReplayedPixel&)>& visit);
+// Calls `visit` with all fragments of the frame, in golden's order.
+void for_each_replayed(const Shape& config, const Frame& frame, const std::function<void(Replay&)>& visit);
 
 }  // namespace wrinkle

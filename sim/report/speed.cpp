@@ -1,7 +1,5 @@
 #include "sim/report/speed.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -9,15 +7,10 @@
 #include "golden/exact/exact.h"
 #include "golden/pixel/pixel.h"
 #include "sim/command.h"
+#include "tb/cpu_time.h"
 
 namespace wrinkle {
 namespace {
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/datapath/datapaths.h"
+
 namespace wrinkle {
 
 void Extreme::measure(double deviation, const std::string& description) {

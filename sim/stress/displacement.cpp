@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "golden/datapath/datapaths.h"
 #include "sim/stress/catalogue.h"
 
 namespace wrinkle {

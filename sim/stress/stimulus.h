@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "golden/pixel/pixel.h"
 #include "golden/triangle/packet.h"
 

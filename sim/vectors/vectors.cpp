@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/datapath/datapaths.h"
+
 namespace wrinkle {
 
 void VectorScore::measure(double error, double allowed, const std::string& description) {
@@ -35,7 +37,7 @@ Config config_for(VectorKind kind, Config config) {
       break;
     case VectorKind::kTrilinear:
       // Level of detail in 1/256, and vectors so fine that a texel code is read back to 1/1024.
-      config.datapath = static_cast<int>(Datapath::kTangent);
+      config.datapath = static_cast<int>(Datapath::kNormalMapped);
       config.filter = static_cast<int>(Filter::kTrilinear);
       config.perspective = 0;
       config.texel_bits = 8;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
 #include "sim/stress/stimulus.h"
 #include "tb/bench.h"
 

@@ -7,15 +7,35 @@
 #include "verilated_fst_c.h"
 #endif
 
+#include <bit>
 #include <memory>
 #include <type_traits>
+#include <vector>
 
 #include "tb/model.h"
 
+static_assert(std::endian::native == std::endian::little, "wires are read byte by byte");
+
 namespace {
 
+using wrinkle::InputPins;
+using wrinkle::OutputPins;
 using wrinkle::Pins;
-using wrinkle::Taps;
+using wrinkle::Wire;
+
+// A template, so that a wire the netlist lacks is skipped instead of an error.
+template <class Root>
+std::vector<Wire> visible_wires(const Root& root) {
+  std::vector<Wire> found;
+#define WRINKLE_WIRE(name)                                                                \
+  if constexpr (requires { root.wrinkle_core__DOT__##name; }) {                           \
+    const auto& wire = root.wrinkle_core__DOT__##name;                                    \
+    found.push_back({#name, reinterpret_cast<const unsigned char*>(&wire), sizeof wire}); \
+  }
+#include "wires.def"
+#undef WRINKLE_WIRE
+  return found;
+}
 
 struct Instance {
   explicit Instance(std::uint64_t seed) {
@@ -27,6 +47,7 @@ struct Instance {
 #endif
     core = std::make_unique<Vwrinkle_core>(&context);
     core->clk = 0;
+    wires = visible_wires(*core->rootp);
   }
   ~Instance() {
     // Verilator's scopes take themselves off the thread's current context, which may be that of a later model.
@@ -37,6 +58,7 @@ struct Instance {
 
   VerilatedContext context;
   std::unique_ptr<Vwrinkle_core> core;
+  std::vector<Wire> wires;
 #ifdef WRINKLE_TRACE
   std::unique_ptr<VerilatedFstC> trace;
 #endif
@@ -44,37 +66,56 @@ struct Instance {
 
 Instance& instance(void* model) { return *static_cast<Instance*>(model); }
 
-void drive(Vwrinkle_core& core, const Pins& pins) {
-  core.rst = pins.rst;
-  core.packet_valid_i = pins.packet_valid;
-  core.packet_word_i = pins.packet_word;
-  core.texel_request_ready_i = pins.texel_request_ready;
-  core.texel_response_valid_i = pins.texel_response_valid;
-  core.fragment_ready_i = pins.fragment_ready;
-  core.texel_a00_i = static_cast<decltype(core.texel_a00_i + 0)>(pins.texel_response_a[0]);
-  core.texel_a10_i = static_cast<decltype(core.texel_a10_i + 0)>(pins.texel_response_a[1]);
-  core.texel_a01_i = static_cast<decltype(core.texel_a01_i + 0)>(pins.texel_response_a[2]);
-  core.texel_a11_i = static_cast<decltype(core.texel_a11_i + 0)>(pins.texel_response_a[3]);
-  core.texel_b00_i = static_cast<decltype(core.texel_b00_i + 0)>(pins.texel_response_b[0]);
-  core.texel_b10_i = static_cast<decltype(core.texel_b10_i + 0)>(pins.texel_response_b[1]);
-  core.texel_b01_i = static_cast<decltype(core.texel_b01_i + 0)>(pins.texel_response_b[2]);
-  core.texel_b11_i = static_cast<decltype(core.texel_b11_i + 0)>(pins.texel_response_b[3]);
+// Ports of up to 64 bits are integers of Verilator's choice, wider ones arrays of 32-bit words.
+std::uint64_t word(std::uint64_t pin, std::size_t) { return pin; }
+template <std::size_t n>
+std::uint64_t word(const std::array<std::uint64_t, n>& pin, std::size_t index) {
+  return pin[index];
+}
+void set_word(std::uint64_t& pin, std::size_t, std::uint64_t value) { pin = value; }
+template <std::size_t n>
+void set_word(std::array<std::uint64_t, n>& pin, std::size_t index, std::uint64_t value) {
+  pin[index] = value;
 }
 
-void read(const Vwrinkle_core& core, Pins& pins) {
-  pins.packet_ready = core.packet_ready_o;
-  pins.texel_request_valid = core.texel_request_valid_o;
-  pins.texel_request_a = core.texel_request_a_o;
-  pins.texel_request_b = core.texel_request_b_o;
-  pins.texel_response_ready = core.texel_response_ready_o;
-  pins.fragment_valid = core.fragment_valid_o;
-  pins.fragment_x = core.fragment_x_o;
-  pins.fragment_y = core.fragment_y_o;
-  pins.fragment_z = core.fragment_z_o;
-  pins.fragment_colour = core.fragment_colour_o;
-  pins.fragment_last = core.fragment_last_o;
-  pins.fragment_zero = core.fragment_zero_o;
-  pins.idle = core.idle_o;
+template <class Port, class Pin>
+void to_port(Port& port, const Pin& pin) {
+  if constexpr (std::is_integral_v<Port>) {
+    port = static_cast<Port>(word(pin, 0));
+  } else {
+    static_assert(sizeof(Port) <= sizeof(Pin), "the port is wider than streams.def allows");
+    for (std::size_t k = 0; k < sizeof(Port) / 4; ++k)
+      port[k] = static_cast<std::uint32_t>(word(pin, k / 2) >> (k % 2 * 32));
+  }
+}
+
+template <class Port, class Pin>
+void from_port(const Port& port, Pin& pin) {
+  if constexpr (std::is_integral_v<Port>) {
+    set_word(pin, 0, port);
+  } else {
+    static_assert(sizeof(Port) <= sizeof(Pin), "the port is wider than streams.def allows");
+    for (std::size_t k = 0; k < sizeof(Port) / 4; k += 2) {
+      const std::uint64_t high = k + 1 < sizeof(Port) / 4 ? port[k + 1] : 0;
+      set_word(pin, k / 2, high << 32 | port[k]);
+    }
+  }
+}
+
+void drive(Vwrinkle_core& core, const InputPins& pins) {
+  core.rst = pins.rst;
+#define WRINKLE_INPUT(stream, stage) core.stream##_valid_i = pins.stream##_valid;
+#define WRINKLE_INPUT_FIELD(stream, name, most, width) to_port(core.name##_i, pins.name);
+#define WRINKLE_OUTPUT(stream, stage) core.stream##_ready_i = pins.stream##_ready;
+#include "golden/streams.def"
+}
+
+void read(const Vwrinkle_core& core, OutputPins& pins) {
+#define WRINKLE_INPUT(stream, stage) pins.stream##_ready = core.stream##_ready_o;
+#define WRINKLE_OUTPUT(stream, stage) pins.stream##_valid = core.stream##_valid_o;
+#define WRINKLE_OUTPUT_FIELD(stream, name, most, width) from_port(core.name##_o, pins.name);
+#define WRINKLE_STATUS(name) pins.name = core.name##_o;
+#include "golden/streams.def"
 }
 
 #ifdef WRINKLE_TRACE
@@ -86,48 +127,18 @@ void dump(Instance& model) {
 void dump(Instance&) {}
 #endif
 
-// What is wider than 64 bits is a VlWide of 32-bit words.
-template <class Wire>
-wrinkle::TapWire whole(const Wire& wire) {
-  if constexpr (std::is_integral_v<Wire>) {
-    return static_cast<std::uint64_t>(wire);
-  } else {
-    wrinkle::TapWire value = 0;
-    for (std::size_t word = sizeof(Wire) / 4; word-- > 0;) value = value << 32 | wire[word];
-    return value;
-  }
-}
-
-// A template, so that a wire the configuration lacks is skipped instead of an error.
-template <class Root>
-void sample(const Root& root, Taps& taps) {
-#define WRINKLE_STAGE(stage)                                                     \
-  if constexpr (requires {                                                       \
-                  root.wrinkle_core__DOT__##stage##_valid;                       \
-                  root.wrinkle_core__DOT__##stage##_ready;                       \
-                }) {                                                             \
-    constexpr std::uint32_t bit = 1U << static_cast<int>(wrinkle::Stage::stage); \
-    taps.stages |= bit;                                                          \
-    if (root.wrinkle_core__DOT__##stage##_valid) taps.valid |= bit;              \
-    if (root.wrinkle_core__DOT__##stage##_ready) taps.ready |= bit;              \
-  }
-  WRINKLE_STAGES(WRINKLE_STAGE)
-#undef WRINKLE_STAGE
-#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, is_present) \
-  if constexpr (requires { root.wrinkle_core__DOT__##stage##_##name; }) {                 \
-    constexpr int index = static_cast<int>(wrinkle::ValueIndex::stage##_##name);          \
-    taps.present |= 1ULL << index;                                                        \
-    taps.values[index] = whole(root.wrinkle_core__DOT__##stage##_##name);                 \
-  }
-#include "golden/pixel/components.def"
-#undef WRINKLE_VALUE
+// The falling edge changes nothing but the clock. Verilator needs to know of it before the next rising one, but need not
+// evaluate the model for it.
+void fall(Vwrinkle_core& core) {
+  core.clk = 0;
+  core.rootp->__Vtrigrprev__TOP__clk = 0;
 }
 
 void* create(std::uint64_t seed) { return new Instance(seed); }
 
 void destroy(void* model) { delete static_cast<Instance*>(model); }
 
-void settle(void* model, const Pins* pins) {
+void settle(void* model, const InputPins* pins) {
   drive(*instance(model).core, *pins);
   instance(model).core->eval();
 }
@@ -138,15 +149,14 @@ void clock(void* model, Pins* pins) {
   self.core->clk = 1;
   self.core->eval();
   dump(self);
-  self.core->clk = 0;
-  self.core->eval();
+  fall(*self.core);
   dump(self);
   read(*self.core, *pins);
 }
 
-void sample_taps(void* model, Taps* taps) {
-  *taps = Taps{};
-  sample(*instance(model).core->rootp, *taps);
+const Wire* wires(void* model, std::size_t* count) {
+  *count = instance(model).wires.size();
+  return instance(model).wires.data();
 }
 
 #ifdef WRINKLE_TRACE
@@ -171,4 +181,4 @@ void trace_close(void*) {}
 }  // namespace
 
 extern "C" __attribute__((visibility("default")))
-const wrinkle::ModelApi wrinkle_model{create, destroy, settle, clock, sample_taps, trace_open, trace_close};
+const wrinkle::ModelApi wrinkle_model{create, destroy, settle, clock, wires, trace_open, trace_close};

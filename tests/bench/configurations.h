@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "golden/config.h"
+#include "golden/config/config.h"
+#include "golden/datapath/datapaths.h"
 
 namespace wrinkle {
 
@@ -153,7 +154,7 @@ inline Config spread_config(int index) {
   config.q_bits = std::min(config.q_bits, config.reciprocal_bits + 1);
   // What the choices do not allow each other.
   config.normalize_order = config.sharing = 0;
-  if (config.is(Datapath::kRotated)) config.light_vectors = 0;
+  if (Shape(config).light_may_be_constant == 0) config.light_vectors = 0;
   // Wide compact normalizers take long to build: tests/rtl/normalizer.sh has them alone.
   if (index >= kSpread / 2) {
     for (int Config::*normalizer : {&Config::normalizer_n, &Config::normalizer_l, &Config::normalizer_h})

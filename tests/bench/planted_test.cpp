@@ -216,7 +216,7 @@ const std::vector<Planted>& cases() {
        "shared_single"},
       {"normalize_shared",
        "unit/wrinkle_shared_units.v",
-       {{"in_l_q ? l_i : h_i", "in_l_q ? h_i : l_i"}},
+       {{"in_l_q ? l_i : in_h_q ? h_i", "in_l_q ? h_i : in_h_q ? l_i"}},
        "normalize",
        "",
        Kind::kValue,

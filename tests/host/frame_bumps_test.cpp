@@ -58,7 +58,7 @@ double method_error(double amplitude, int divisions) {
   object.height = std::make_shared<SampledHeightField>(height);
   Scene scene = scene_of(std::move(object));
   scene.width = scene.height = 256;
-  const Frame frame = build_frame({}, scene);
+  const Frame frame = build_frame(Config(), scene);
   std::map<std::pair<int, int>, double> exact;
   draw_exact({}, frame, [&](const ExactFragment& f) { exact[{f.x, f.y}] = f.nl; });
   double sum = 0;
@@ -156,7 +156,7 @@ TEST(Frame, IdealSeesMirroredAndBackSidesAsTheDatapathDoes) {
       object.to_world = rotation({0, 1, 0}, back ? std::numbers::pi : 0) * scaling({mirror ? -1.0 : 1.0, 1, 1});
       Scene scene = scene_of(std::move(object));
       scene.width = scene.height = 256;
-      const Frame frame = build_frame({}, scene);
+      const Frame frame = build_frame(Config(), scene);
       std::map<std::pair<int, int>, double> exact;
       draw_exact({}, frame, [&](const ExactFragment& f) { exact[{f.x, f.y}] = f.nl; });
       double sum = 0;

@@ -41,9 +41,9 @@ TEST(Frame, ProjectsAndSnapsToTheGrid) {
 
 TEST(Frame, CullsBacksUnlessDoubleSided) {
   Scene scene = scene_of(object_of(tessellate(make_cube(), 1, 1)));
-  EXPECT_EQ(build_frame({}, scene).draws[0].triangles.size(), 2u);
+  EXPECT_EQ(build_frame(Config(), scene).draws[0].triangles.size(), 2u);
   scene.objects[0].double_sided = true;
-  const Frame both = build_frame({}, scene);
+  const Frame both = build_frame(Config(), scene);
   EXPECT_EQ(both.draws[0].triangles.size(), 4u);  // the four sides are seen edge-on
   for (const ScreenTriangle& t : both.draws[0].triangles) {
     EXPECT_GT(t.v[0].N.z, 0.99);  // the back's normals are turned to the viewer
@@ -56,7 +56,7 @@ TEST(Frame, CountsTrianglesOverTheFrame) {
   Scene scene = scene_of(object_of(tessellate(make_cube(), 1, 1)));
   scene.objects[0].to_world = rotation({1, 0, 0}, std::numbers::pi / 2);  // the lid, face 4, to the front
   scene.objects.push_back(scene.objects[0]);
-  const Frame frame = build_frame({}, scene);
+  const Frame frame = build_frame(Config(), scene);
   ASSERT_EQ(frame.draws[0].triangles.size(), 2u);
   ASSERT_EQ(frame.draws[1].triangles.size(), 2u);
   EXPECT_EQ(frame.draws[0].triangles[0].id, 8u);
@@ -77,7 +77,7 @@ TEST(Frame, SnappingTurnsNothingOver) {
     mesh.vertices.push_back(v);
     if (i % 3 == 2) mesh.triangles.push_back({i - 2, i - 1, i});
   }
-  const Frame frame = build_frame({}, scene_of(object_of(mesh)));
+  const Frame frame = build_frame(Config(), scene_of(object_of(mesh)));
   EXPECT_GT(frame.draws[0].triangles.size(), 100u);
   EXPECT_LT(frame.draws[0].triangles.size(), 500u);  // half face away
   for (const ScreenTriangle& t : frame.draws[0].triangles) {
@@ -88,9 +88,9 @@ TEST(Frame, SnappingTurnsNothingOver) {
 
 TEST(Frame, AMirroringMatrixDrawsTheSameSide) {
   Object object = object_of(tessellate({std::make_shared<Sphere>(0.8)}, 16, 16));
-  const Frame plain = build_frame({}, scene_of(object));
+  const Frame plain = build_frame(Config(), scene_of(object));
   object.to_world = scaling({-1, 1, 1});
-  const Frame mirrored = build_frame({}, scene_of(object));
+  const Frame mirrored = build_frame(Config(), scene_of(object));
   EXPECT_EQ(plain.draws[0].triangles.size(), mirrored.draws[0].triangles.size());
   for (const ScreenTriangle& t : mirrored.draws[0].triangles) {
     for (const ScreenVertex& v : t.v) {
@@ -147,7 +147,7 @@ TEST(Frame, GuardBandHoldsWhateverIsThere) {
 TEST(Frame, AHundredThousandTrianglesTakeLessThanASecond) {
   const Scene scene = scene_of(object_of(tessellate({std::make_shared<Torus>(0.6, 0.3)}, 256, 200)));
   const auto start = std::chrono::steady_clock::now();
-  const Frame frame = build_frame({}, scene);
+  const Frame frame = build_frame(Config(), scene);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf("102400 triangles, %zu in sight: %.3f s\n", frame.draws[0].triangles.size(), seconds);
   EXPECT_GT(frame.draws[0].triangles.size(), 30000u);

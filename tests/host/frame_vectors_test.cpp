@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "golden/datapath/datapaths.h"
 #include "golden/vertex/shading.h"
 #include "golden/vertex/teapot.h"
 #include "golden/vertex/tessellate.h"
@@ -29,9 +30,9 @@ TEST(Frame, TangentSpaceIsARotation) {
   Scene scene = scene_of(bumped(tessellate(teapot(), 4, 4), NormalMap(1, 1, {0, 0, 1})));
   scene.light = {{1, 2, 3}, false};
   scene.viewer_at_infinity = false;
-  const Frame tangent = build_frame({}, scene);
+  const Frame tangent = build_frame(Config(), scene);
   scene.objects[0].space = ShadingSpace::kWorld;
-  const Frame world = build_frame({}, scene);
+  const Frame world = build_frame(Config(), scene);
   ASSERT_TRUE(tangent.draws[0].state.bump);
   ASSERT_FALSE(world.draws[0].state.bump);
   const auto& a = tangent.draws[0].triangles;
@@ -73,7 +74,7 @@ TEST(Frame, LightAndViewerNearAndFar) {
     for (const bool viewer_far : {true, false}) {
       scene.light = {{0, 3, 4}, light_far};
       scene.viewer_at_infinity = viewer_far;
-      const Frame frame = build_frame({}, scene);
+      const Frame frame = build_frame(Config(), scene);
       EXPECT_EQ(frame.ideal.eye_at_infinity, viewer_far);
       EXPECT_EQ(frame.ideal.light_at_infinity, light_far);
       ASSERT_FALSE(frame.draws[0].triangles.empty());
@@ -89,7 +90,7 @@ TEST(Frame, LightAndViewerNearAndFar) {
 TEST(Frame, LightInAVertexGivesZeroNotNaN) {
   Scene scene = scene_of(object_of(tessellate(make_rectangle(), 2, 2)));
   scene.light = {{0, 0, 0}, false};
-  const Frame frame = build_frame({}, scene);
+  const Frame frame = build_frame(Config(), scene);
   int zero = 0;
   for (const ScreenTriangle& t : frame.draws[0].triangles) {
     for (const ScreenVertex& v : t.v) {

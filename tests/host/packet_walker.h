@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "golden/triangle/packet.h"
+#include "tb/random_config.h"
 
 namespace wrinkle::test {
 
@@ -26,13 +27,7 @@ class Random {
     }
   }
   Config config() {
-    for (;;) {
-      Config config;
-      for (const Parameter& parameter : parameters()) {
-        config.*parameter.member = static_cast<int>(integer(parameter.minimum, parameter.maximum));
-      }
-      if (check(config).key.empty()) return config;
-    }
+    return random_config([this](int low, int high) { return integer(low, high); });
   }
 
  private:

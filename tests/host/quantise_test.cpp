@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "golden/datapath/datapaths.h"
+
 namespace wrinkle {
 namespace {
 

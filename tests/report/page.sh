@@ -9,7 +9,7 @@ here=$(dirname "$(readlink -f "$0")")
 has() { grep -q "$1" "$2" || { echo "$2 has no line that matches $1"; exit 1; }; }
 has '^configurations,standard,precision_db,[0-9]' "$2/report.csv"
 has '^pictures,fig5 against fig6,psnr_db,39' "$2/report.csv"
-has '^| standard | tangent | faithful |' "$2/report.md"
+has '^| standard | normal_map | faithful |' "$2/report.md"
 has '^choices,lean,self_shadow,hard' "$2/report.csv"
 has '^provenance,command,value,.*/wrinkle report' "$2/report.csv"
 /usr/bin/python3 "$here/page.py" "$2/report.html"

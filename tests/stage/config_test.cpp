@@ -1,5 +1,5 @@
 // Configurations: the list of parameters, the rules, the width of a lane.
-#include "golden/config.h"
+#include "golden/config/config.h"
 
 #include "tests/stage/support.h"
 
@@ -21,8 +21,8 @@ TEST(Config, ParametersAreTheMembers) {
 
 TEST(Config, StandardIsLegalAndNarrow) {
   EXPECT_EQ(check({}).key, "");
-  EXPECT_LE(widest_operand_bits({}), 32);
-  EXPECT_EQ(lane_bits({}), 32);
+  EXPECT_LE(widest_operand_bits(Config()), 32);
+  EXPECT_EQ(lane_bits(Config()), 32);
   EXPECT_EQ(lane_bits(with({{&Config::perspective, 1}})), 64);
 }
 

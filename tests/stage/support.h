@@ -11,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "golden/pixel/lane_bits.h"
 #include "golden/pixel/stages.h"
 #include "hwy/targets.h"
+#include "tb/random_config.h"
 
 namespace wrinkle {
 
@@ -56,11 +58,7 @@ inline Config extreme(bool highest) {
 }
 
 inline Config random_config(Random& random) {
-  for (;;) {
-    Config config;
-    for (const Parameter& p : parameters()) config.*p.member = static_cast<int>(uniform(random, p.minimum, p.maximum));
-    if (check(config).key.empty()) return config;
-  }
+  return wrinkle::random_config([&](int low, int high) { return uniform(random, low, high); });
 }
 
 // Every choice at least once, the ends of all widths, and random ones.

@@ -24,7 +24,7 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
       std::array<float, 6> texel{};
       for (std::size_t k = 0; k < static_cast<std::size_t>(texture.components); ++k) {
         const double code = static_cast<double>(word >> (k * static_cast<std::size_t>(t)) & ((1u << t) - 1));
-        const auto bump = static_cast<std::size_t>(config.bump_components());
+        const auto bump = static_cast<std::size_t>(Shape(config).bump_components);
         const double half = std::ldexp(1.0, t - 1);
         if (k >= bump)
           texel[k - bump + 3] = static_cast<float>(std::ldexp(code, -t));

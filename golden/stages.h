@@ -1,0 +1,45 @@
+// The stages of stages.def for C++.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "golden/config/config.h"
+
+namespace wrinkle {
+
+enum class Stage : int {
+#define WRINKLE_STAGE(name, title, moves) name,
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+};
+
+inline constexpr std::array kStageNames{
+#define WRINKLE_STAGE(name, title, moves) std::string_view(#name),
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+};
+inline constexpr int kStages = static_cast<int>(kStageNames.size());
+
+// A set of stages, as bits.
+enum Stages : unsigned {
+#define WRINKLE_STAGE(name, title, moves) k##title = 1U << static_cast<int>(Stage::name),
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+  kAllStages = (1U << kStages) - 1
+};
+
+// A number for each stage, in their order.
+template <class T>
+using PerStage = std::array<T, kStageNames.size()>;
+
+// How often a stage hands on one fragment.
+inline PerStage<int> stage_moves([[maybe_unused]] const Shape& c) {
+  return {
+#define WRINKLE_STAGE(name, title, moves) moves,
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+  };
+}
+
+}  // namespace wrinkle

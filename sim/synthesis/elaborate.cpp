@@ -1,0 +1,75 @@
+#include "sim/synthesis/elaborate.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tb/fingerprint.h"
+#include "tb/process.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What Yosys is told, but for the names of its own files.
+std::string commands(const std::string& top, const VerilogParameters& parameters, const std::vector<fs::path>& files,
+                     const std::vector<fs::path>& include_folders) {
+  std::string text = "read_verilog -icells -defer";
+  for (const fs::path& folder : include_folders) text += " -I" + folder.string();
+  for (const fs::path& file : files) text += " " + file.string();
+  text += "\nhierarchy -check -top " + top;
+  for (const auto& [name, value] : parameters) text += fmt::format(" -chparam {} {}", name, value.text);
+  return text + "\n";
+}
+
+// The files that the modules of a design come from.
+std::set<fs::path> sources_in(const fs::path& design) {
+  const auto modules = nlohmann::json::parse(read_text(design)).at("modules");
+  std::set<fs::path> found;
+  for (const auto& module : modules) {
+    const std::string source = module.at("attributes").value("src", "");
+    found.insert(source.substr(0, source.rfind(':')));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<fs::path> elaborated_files(const std::string& top, const VerilogParameters& parameters,
+                                       const std::vector<fs::path>& files, const std::vector<fs::path>& include_folders,
+                                       const fs::path& cache) {
+  const std::string text = commands(top, parameters, files, include_folders);
+  Fingerprint key;
+  key.add(text);
+  for (const fs::path& file : files) key.add(read_text(file));
+  for (const fs::path& folder : include_folders) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".vh") key.add(entry.path().string() + read_text(entry.path()));
+    }
+  }
+  const fs::path kept = cache / (key.hex() + ".files");
+  const FileLock lock(cache / (key.hex() + ".lock"));
+  if (!fs::exists(kept)) {
+    const fs::path script = cache / (key.hex() + ".ys"), log = cache / (key.hex() + ".log");
+    const fs::path design = cache / (key.hex() + ".design");
+    // Only modules are asked for, and the writer takes no processes.
+    std::ofstream(script) << text << "delete */p:*\nwrite_json " << design.string() << "\n";
+    if (Process({"yosys", "-Q", "-s", script}, log).wait() != 0)
+      throw SynthesisError("yosys cannot elaborate " + top + ":\n" + read_text(log));
+    std::string names;
+    for (const fs::path& file : sources_in(design)) names += file.string() + "\n";
+    const fs::path partial = cache / (key.hex() + ".partial");
+    std::ofstream(partial) << names;
+    for (const fs::path& scratch : {script, log, design}) fs::remove(scratch);
+    fs::rename(partial, kept);
+  }
+  std::vector<fs::path> found;
+  std::ifstream in(kept);
+  for (std::string name; std::getline(in, name);) found.emplace_back(name);
+  return found;
+}
+
+}  // namespace wrinkle

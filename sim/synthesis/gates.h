@@ -1,0 +1,74 @@
+// A netlist as gates of two inputs and flip-flops of one clock, simulated for 64 machines at once: one bit of a word is
+// one machine. No machine is compiled, so that a netlist of a hundred thousand gates starts in a second.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace wrinkle {
+
+// y = ((a ^ invert_a) & (b ^ invert_b)) ^ invert_y, or the same with ^ in the place of &.
+struct Gate {
+  std::uint32_t a = 0, b = 0, y = 0;
+  bool invert_a = false, invert_b = false, invert_y = false, is_xor = false;
+};
+
+struct FlipFlop {
+  std::uint32_t d = 0, q = 0;
+};
+
+struct NetlistPort {
+  std::string name;
+  bool is_input = false;
+  std::vector<std::uint32_t> nets;  // bit 0 first
+};
+
+struct GateNetlist {
+  std::vector<NetlistPort> ports;
+  std::vector<Gate> gates;  // each behind those that drive it
+  std::vector<FlipFlop> flip_flops;
+  std::uint32_t nets = 0;  // net 0 is always 0
+};
+
+// Reads what Yosys's `write_blif -gates -icells` writes of a flat module of its own gates and positive-edge flip-flops
+// of the clock `clk`. A net without a driver is 0. Throws SynthesisError for another cell, another clock or a loop.
+GateNetlist read_gates(const std::filesystem::path& blif);
+
+// One gate wrong in one machine.
+struct Fault {
+  enum class Kind {
+    kOutput0,
+    kOutput1,
+    kPin0,
+    kPin1,
+    kOther
+  };  // kPin: of input a; kOther: & for ^, or an inverter more
+  std::size_t gate = 0;
+  Kind kind = Kind::kOutput0;
+};
+
+class GateSimulation {
+ public:
+  // Flip-flops start with random bits, another in every machine. Machine i has faults[i], the rest are right; the
+  // faulty ones and the last, which is right, start alike.
+  explicit GateSimulation(const GateNetlist& netlist, std::uint64_t seed, const std::vector<Fault>& faults = {});
+
+  void set(std::uint32_t net, bool value) { values_[net] = value ? ~std::uint64_t{0} : 0; }
+  void settle();
+  void clock();
+  std::uint64_t value(std::uint32_t net) const { return values_[net]; }
+
+ private:
+  void settle(std::size_t from, std::size_t to);
+  void settle_faulty(std::size_t gate);
+
+  const GateNetlist* netlist_;
+  std::vector<std::uint64_t> values_, next_;
+  std::vector<Fault> faults_;        // by machine
+  std::vector<std::size_t> faulty_;  // gates with a fault, in order
+};
+
+}  // namespace wrinkle

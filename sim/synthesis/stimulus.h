@@ -1,0 +1,25 @@
+// What a netlist and its Verilog are driven with: words that reach far into arithmetic and control alike.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/synthesis/gates.h"
+
+namespace wrinkle {
+
+struct StimulusOptions {
+  std::uint64_t seed = 1;
+  int clocks = 1000;
+  // Each word stays so long. More than 1: nothing ever waits, so that at the end of its stay a pipeline shows it.
+  int stay = 1;
+};
+
+// A line of 0 and 1 for every clock, bit 0 of the first input last; the input `clk` is left out. The input `rst` is 1
+// in the first clocks and seldom again. Inputs named valid, ready and advance change at random with a rate that is
+// another every 64 clocks, and those of a draw's state with it. All others are random words, sparse, dense and constant
+// ones, words of one bit, and rows of small signed numbers, as vectors near 0 are.
+std::vector<std::string> stimulus(const std::vector<NetlistPort>& ports, const StimulusOptions& options);
+
+}  // namespace wrinkle

@@ -1,0 +1,202 @@
+#include "sim/synthesis/check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tb/process.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// A source and the gates that Yosys makes of it, to be spoilt.
+class NetlistCheck : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    options_.folder = fs::path(::testing::TempDir()) / ("wrinkle_check_" + name);
+    fs::remove_all(options_.folder);
+    fs::create_directories(options_.folder);
+    options_.gates = options_.folder / "gates.blif";
+  }
+  void TearDown() override { fs::remove_all(options_.folder); }
+
+  // The gates of `top` by a script between reading the source and writing them.
+  void make(const std::string& top, const std::string& source, const std::string& passes) {
+    options_.top = top;
+    options_.sources = {options_.folder / "source.v"};
+    std::ofstream(options_.sources[0]) << source;
+    const fs::path script = options_.folder / "gates.ys";
+    std::ofstream(script) << passes << "\nwrite_blif -gates -icells " << options_.gates.string() << "\n";
+    ASSERT_EQ(Process({"yosys", "-Q", "-s", script}, options_.folder / "log").wait(), 0)
+        << read_text(options_.folder / "log");
+  }
+
+  void make_counter() {
+    make("counter", R"(
+module counter (input clk, input rst, input advance_i, input [7:0] step_i, output [7:0] count_o, output big_o);
+  reg [7:0] count_q;
+  always @(posedge clk)
+    if (rst) count_q <= 8'd0;
+    else if (advance_i) count_q <= count_q + step_i;
+  assign count_o = count_q;
+  assign big_o = count_q > 8'd200;
+endmodule
+)",
+         "read_verilog " + (options_.folder / "source.v").string() +
+             "\nsynth -flatten\ndfflegalize -cell $_DFF_P_ x\nopt_clean");
+  }
+
+  // Replaces the first `from` behind the first `after` of the netlist.
+  void spoil(const std::string& after, const std::string& from, const std::string& to) {
+    std::string text = read_text(options_.gates);
+    const std::size_t start = text.find(after), at = text.find(from, start);
+    ASSERT_NE(at, std::string::npos);
+    std::ofstream(options_.gates) << text.replace(at, from.size(), to);
+  }
+
+  void expect_refused(const std::string& named) {
+    try {
+      check_netlist(options_);
+      FAIL() << "not refused";
+    } catch (const NetlistDiffers& difference) {
+      EXPECT_THAT(difference.what(), HasSubstr(named));
+      EXPECT_THAT(difference.what(), HasSubstr("at clock"));
+      EXPECT_THAT(difference.what(), HasSubstr("step_i="));
+    }
+  }
+
+  CheckOptions options_;
+};
+
+TEST_F(NetlistCheck, WhatIsRightIsEqualAndEverythingChanges) {
+  make_counter();
+  options_.faults = 100;
+  const NetlistChecked checked = check_netlist(options_);
+  EXPECT_GE(checked.clocks, 2000);
+  EXPECT_EQ(checked.registers, 8);
+  EXPECT_EQ(checked.registers_changed, 8);
+  EXPECT_EQ(checked.outputs, 9);
+  EXPECT_EQ(checked.outputs_changed, 9);
+  EXPECT_EQ(checked.faults, 100);
+  EXPECT_GE(checked.faults_found, 97);
+}
+
+TEST_F(NetlistCheck, AnotherGateIsRefused) {
+  make_counter();
+  spoil(".gate $_XOR_", "$_XOR_", "$_XNOR_");
+  expect_refused("counter");
+}
+
+TEST_F(NetlistCheck, AStuckPinIsRefused) {
+  make_counter();
+  spoil(".gate $_XOR_", "A=", "A=$false UNUSED=");
+  expect_refused("counter");
+}
+
+TEST_F(NetlistCheck, AMissingRegisterIsRefused) {
+  make_counter();
+  std::string text = read_text(options_.gates);
+  const std::size_t at = text.find(".gate $_DFF_P_ C=clk D="), end = text.find('\n', at);
+  ASSERT_NE(at, std::string::npos);
+  std::string line = text.substr(at, end - at);
+  const std::size_t d = line.find("D=") + 2, q = line.find(" Q=");
+  line = ".names " + line.substr(d, q - d) + " " + line.substr(q + 3) + "\n1 1";
+  std::ofstream(options_.gates) << text.replace(at, end - at, line);
+  try {
+    check_netlist(options_);
+    FAIL() << "not refused";
+  } catch (const SynthesisError& error) {
+    // A bit of a count that is no register is a loop.
+    EXPECT_THAT(error.what(), ::testing::AnyOf(HasSubstr("count_o"), HasSubstr("loop")));
+  }
+}
+
+TEST_F(NetlistCheck, AMissingResetIsRefused) {
+  make("held", R"(
+module held (input clk, input rst, input [1:0] step_i, output [1:0] q_o);
+  reg [1:0] q_q;
+  always @(posedge clk) if (rst) q_q <= 2'd0; else q_q <= q_q ^ step_i;
+  assign q_o = q_q;
+endmodule
+)",
+       "read_verilog " + (options_.folder / "source.v").string() +
+           "\nsynth -flatten\ndfflegalize -cell $_DFF_P_ x\nopt_clean");
+  std::ofstream(options_.folder / "other.v") << R"(
+module held (input clk, input rst, input [1:0] step_i, output [1:0] q_o);
+  reg [1:0] q_q;
+  always @(posedge clk) q_q <= {q_q[1] ^ step_i[1], !rst && (q_q[0] ^ step_i[0])};
+  assign q_o = q_q;
+endmodule
+)";
+  const fs::path script = options_.folder / "other.ys";
+  std::ofstream(script) << "read_verilog " << (options_.folder / "other.v").string()
+                        << "\nsynth -flatten\nwrite_blif -gates -icells " << options_.gates.string() << "\n";
+  ASSERT_EQ(Process({"yosys", "-Q", "-s", script}, options_.folder / "log").wait(), 0);
+  expect_refused("q_o[1]");
+}
+
+// Every cell of logic by its Liberty function, which the check reads, against the vendor's Verilog.
+TEST_F(NetlistCheck, LibertyFunctionsAreThoseOfTheVendorsVerilog) {
+  struct Cell {
+    const char* names;
+    int inputs;
+    const char* outputs;
+  };
+  static constexpr Cell kCells[] = {{"BUFX2 BUFX4 CLKBUF1 CLKBUF2 CLKBUF3 INVX1 INVX2 INVX4 INVX8", 1, "Y"},
+                                    {"AND2X1 AND2X2 NAND2X1 NOR2X1 OR2X1 OR2X2 XNOR2X1 XOR2X1", 2, "Y"},
+                                    {"HAX1", 2, "YC YS"},
+                                    {"AOI21X1 NAND3X1 NOR3X1 OAI21X1", 3, "Y"},
+                                    {"FAX1", 3, "YC YS"},
+                                    {"MUX2X1", -1, "Y"},
+                                    {"AOI22X1 OAI22X1", 4, "Y"}};
+  for (const CellLibrary library : {CellLibrary::kOsu035, CellLibrary::kOsu018}) {
+    std::string ports, cells;
+    for (const Cell& kind : kCells) {
+      std::istringstream names(kind.names);
+      for (std::string name; names >> name;) {
+        std::string pins;
+        const std::string inputs = kind.inputs < 0 ? "ABS" : std::string("ABCD").substr(0, std::size_t(kind.inputs));
+        for (std::size_t i = 0; i < inputs.size(); ++i)
+          pins += std::string(i ? ", ." : ".") + inputs[i] + "(a_i[" + std::to_string(i) + "])";
+        std::istringstream outputs(kind.outputs);
+        for (std::string output; outputs >> output;) {
+          ports += ", output " + name + "_" + output;
+          pins += ", ." + output + "(" + name + "_" + output + ")";
+        }
+        cells += "  " + name + " u_" + name + " (" + pins + ");\n";
+      }
+    }
+    fs::path vendor = liberty_path(library);
+    vendor.replace_extension(".v");
+    make("cells", "module cells (input [3:0] a_i" + ports + ");\n" + cells + "endmodule\n",
+         "read_verilog " + (options_.folder / "source.v").string() + "\nread_liberty -ignore_miss_func " +
+             liberty_path(library).string() + "\nhierarchy -top cells\nproc\nflatten\nopt_clean");
+    options_.sources.push_back(vendor);
+    const NetlistChecked checked = check_netlist(options_);
+    EXPECT_EQ(checked.outputs, 28);
+    EXPECT_EQ(checked.outputs_changed, 28);
+  }
+}
+
+// The old map of adders, kept as a file of this test.
+TEST_F(NetlistCheck, GuessedAddersAreRefused) {
+  SynthesisOptions options;
+  options.cache = options_.folder / "cache";
+  options.adders = fs::path(WRINKLE_SOURCE_DIR) / "tests" / "synthesis" / "data" / "guessed_adders.ys";
+  try {
+    synthesise("wrinkle_light", {}, CellLibrary::kOsu035, options);
+    FAIL() << "not refused";
+  } catch (const NetlistDiffers& difference) {
+    EXPECT_THAT(difference.what(), HasSubstr("wrinkle_light"));
+  }
+}
+
+}  // namespace
+}  // namespace wrinkle
