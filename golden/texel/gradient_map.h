@@ -18,7 +18,8 @@ struct GradientTexture {
 
 // From a height field, per unit of its u and v (v upwards). `base` gives the size, at least that of the field, and the
 // decal; sides are powers of two.
-GradientTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits);
+GradientTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits,
+                                 Wraps wraps = {});
 // From the normals of `base` in tangent space, per unit of length along T and B.
 GradientTexture gradient_texture(const ExactTexture& base, int texel_bits);
 

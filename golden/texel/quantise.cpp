@@ -17,11 +17,11 @@ double round_half_up(double x) { return std::floor(x + 0.5); }
 
 // Level `level` of a texture of width x height at level 0, from a chain that may be smaller, larger or of another
 // shape.
-Grid<Vec3> level_of(const MipChain& chain, int width, int height) {
+Grid<Vec3> level_of(const MipChain& chain, int width, int height, Wraps wraps) {
   for (const Grid<Vec3>& level : chain) {
     if (level.width == width && level.height == height) return level;
   }
-  return resample(chain.front(), width, height);
+  return resample(chain.front(), width, height, wraps);
 }
 
 void put(std::vector<Texel>& level, const Grid<Vec3>& values, std::size_t first_component) {
@@ -35,7 +35,7 @@ void put(std::vector<Texel>& level, const Grid<Vec3>& values, std::size_t first_
 
 }  // namespace
 
-ExactTexture assemble(const MipChain& normals, const MipChain& decal) {
+ExactTexture assemble(const MipChain& normals, const MipChain& decal, Wraps wraps) {
   int width = 1, height = 1;
   for (const MipChain* chain : {&normals, &decal}) {
     if (chain->empty()) continue;
@@ -49,8 +49,8 @@ ExactTexture assemble(const MipChain& normals, const MipChain& decal) {
   for (int l = 0; l < levels; ++l) {
     const int w = texture.width(l), h = texture.height(l);
     std::vector<Texel> level(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kFlat);
-    if (!normals.empty()) put(level, level_of(normals, w, h), 0);
-    if (!decal.empty()) put(level, level_of(decal, w, h), 3);
+    if (!normals.empty()) put(level, level_of(normals, w, h, wraps), 0);
+    if (!decal.empty()) put(level, level_of(decal, w, h, wraps), 3);
     texture.levels.push_back(std::move(level));
   }
   return texture;

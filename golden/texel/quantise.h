@@ -12,7 +12,7 @@ namespace wrinkle {
 // One texture from a chain of normals and a chain of colours in [0, 1], either of which may be empty: normals are then
 // (0, 0, 1), colours 1. Chains of different sizes are brought to the larger one: the finer levels that the smaller
 // chain lacks are interpolated from its level 0.
-ExactTexture assemble(const MipChain& normals, const MipChain& decal);
+ExactTexture assemble(const MipChain& normals, const MipChain& decal, Wraps wraps = {});
 
 // Code of a normal component n (full scale 1) in T bits. `range`, 2c - (2^T - 1): c = round((n + 1) / 2 (2^T - 1)), so
 // that an 8-bit image of a normal map comes back as its own codes. `offset`, c - 2^(T-1): c = 2^(T-1) + round(n

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace wrinkle {
+#include "golden/texel/wrap.h"
 
-enum class Wrap : std::uint8_t { kRepeat = 0, kClamp = 1, kMirror = 2 };
+namespace wrinkle {
 
 // Bits of the widest texel: nine components of a bump map, three of a base colour and a gloss, of ten bits each.
 inline constexpr int kMaxTexelWidth = (9 + 3 + 1) * 10;

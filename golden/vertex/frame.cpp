@@ -166,8 +166,9 @@ const BoundMap& FrameBuilder::map_of(const Object& object) {
   if (!rules_.texels_from_heights) {
     frame_.exact_textures.push_back(*object.texture);
   } else {
-    GradientTexture gradient = heights ? gradient_texture(*object.texture, *heights, config_.texel_bits)
-                                       : gradient_texture(*object.texture, config_.texel_bits);
+    GradientTexture gradient =
+        heights ? gradient_texture(*object.texture, *heights, config_.texel_bits, {object.wrap_u, object.wrap_v})
+                : gradient_texture(*object.texture, config_.texel_bits);
     map.gradient_scale = gradient.scale;
     frame_.exact_textures.push_back(std::move(gradient.texture));
   }
