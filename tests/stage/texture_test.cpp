@@ -20,17 +20,17 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
   const double centre = std::ldexp(1.0, t) - (config.decode == 0 ? 1 : 0);
   for (const auto& level : texture.levels) {
     auto& texels = out.levels.emplace_back();
-    for (std::uint64_t word : level) {
-      std::array<float, 6> texel{};
+    for (std::size_t i = 0; i < level.size() / static_cast<std::size_t>(texture.texel_words()); ++i) {
+      ExactTexel texel;
       for (std::size_t k = 0; k < static_cast<std::size_t>(texture.components); ++k) {
-        const double code = static_cast<double>(word >> (k * static_cast<std::size_t>(t)) & ((1u << t) - 1));
+        const double code = static_cast<double>(texture.code(level, i, static_cast<int>(k)));
         const auto bump = static_cast<std::size_t>(Shape(config).bump_components);
         const double half = std::ldexp(1.0, t - 1);
         if (k >= bump)
-          texel[k - bump + 3] = static_cast<float>(std::ldexp(code, -t));
+          texel.colour[k - bump] = static_cast<float>(std::ldexp(code, -t));
         else
-          texel[k] = static_cast<float>(Shape(config).bump_saturates != 0 ? code / half - 1
-                                                                          : std::ldexp(2 * code - centre, -t));
+          texel.bump[k] = static_cast<float>(Shape(config).bump_saturates != 0 ? code / half - 1
+                                                                               : std::ldexp(2 * code - centre, -t));
       }
       texels.push_back(texel);
     }
@@ -75,13 +75,13 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
           exact::sample(config, draw, exact_texture, {real(u[i], config.uv_bits), real(v[i], config.uv_bits)}, lod);
       for (std::size_t k = 0; k < 3; ++k) {
         if (Shape(config).bump_saturates != 0 && k < 2)
-          gradient.see((real(batch->texture_bump[k][i], config.gradient_bits) - want[k]) /
+          gradient.see((real(batch->texture_bump[k][i], config.gradient_bits) - want.bump[k]) /
                        (2 * weight_error + std::ldexp(1.0, -config.gradient_bits) + 1e-6));
         if (Shape(config).surface_is_z != 0)
-          normal.see((real(batch->texture_bump[k][i], config.vector_bits) - want[k]) /
+          normal.see((real(batch->texture_bump[k][i], config.vector_bits) - want.bump[k]) /
                      (2 * weight_error + n_ulp / 2 + 1e-6));
         if (config.decal != 0)
-          decal.see((real(batch->texture_decal[k][i], config.texel_bits) - want[k + 3]) /
+          decal.see((real(batch->texture_decal[k][i], config.texel_bits) - want.colour[k]) /
                     (weight_error + decal_ulp / 2 + 1e-6));
       }
     }
