@@ -1,5 +1,6 @@
 #include "sim/losses.h"
 
+#include <array>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ bool is_grey(Vec3 c) { return c.x == c.y && c.y == c.z; }
 bool has_decal(const Object& object) {
   if (!object.texture) return false;
   const auto& mean = object.texture->levels.back()[0];
-  return mean[3] != 1 || mean[4] != 1 || mean[5] != 1;
+  return mean.colour != std::array<float, 3>{1, 1, 1};
 }
 
 int largest_exponent(const Scene& scene) {

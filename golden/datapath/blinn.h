@@ -4,6 +4,7 @@
 #define GOLDEN_DATAPATH_BLINN_H_
 
 #include "golden/datapath/datapath.h"
+#include "golden/texel/gradient_map.h"
 
 namespace wrinkle {
 
@@ -22,6 +23,7 @@ struct Blinn : DatapathDefaults {
   WRINKLE_SAYS(bump_width, gradient_bits + 1)
   WRINKLE_SAYS(bump_fraction, gradient_bits)
   WRINKLE_SAYS(bump_offset, 1 << texel_bits)
+  WRINKLE_SAYS(bump_full_scale, 1 << texel_bits)
   WRINKLE_SAYS(bump_saturates, 1)
   WRINKLE_SAYS(normal_width, wide_bits + 3)
   WRINKLE_SAYS(normal_bits, wide_bits)
@@ -33,6 +35,13 @@ struct Blinn : DatapathDefaults {
   static constexpr std::array<std::string_view, 3> frame_names() { return {"a", "b", "c"}; }
   static constexpr std::string_view bump_name() { return "gradient"; }
 
+  // The slopes of the height field where there is one, else those of the surface that has the normals.
+  static ExactTexture texels(const TexelInputs& in) {
+    return in.heights != nullptr ? gradient_texture(in.normals, *in.heights, in.texel_bits, in.wraps)
+                                 : gradient_texture(in.normals, in.texel_bits);
+  }
+  static Vec3 texel_normal(std::span<const double> bump, double scale) { return {-bump[0], -bump[1], 1 / scale}; }
+
   // A, B, C with N on the outer side, f being measured along N [Peercy97 eq. 2]; where u and v are lengths along T and
   // B, N, T and B. B and C have the scale that the slopes were divided by.
   static FrameVectors vertex(const VertexInputs& v) {
@@ -42,7 +51,7 @@ struct Blinn : DatapathDefaults {
       const double side = dot(v.N, cross(v.Pu, v.Pv)) < 0 ? -1 : 1;
       a = side * cross(v.Pu, v.Pv), b = side * cross(v.Pv, v.N), c = side * cross(v.N, v.Pu);
     }
-    return {a, v.texel_scale * b, v.texel_scale * c};
+    return {a, v.bump_scale * b, v.bump_scale * c};
   }
 
   // The exact twin of perturb_lanes().

@@ -10,6 +10,9 @@
 #include <string_view>
 
 #include "golden/config/config.h"
+#include "golden/texel/grid.h"
+#include "golden/texel/texture.h"
+#include "golden/texel/wrap.h"
 #include "golden/vector.h"
 
 namespace wrinkle {
@@ -35,11 +38,21 @@ struct VertexInputs {
   Vec3 N, T, B;
   Vec3 Pu, Pv;
   bool has_derivatives = false;
-  double texel_scale = 1;
+  double bump_scale = 1;
+};
+// What the texels of a draw are made from: a texture whose bump map is a normal, and the height field of it where the
+// datapath asks for it and there is one.
+struct TexelInputs {
+  const ExactTexture& normals;
+  const Grid<double>* heights;
+  int texel_bits;
+  Wraps wraps;  // of the draw: they say what lies beyond the edges of the heights
 };
 // Vectors in the place of N, at most; a test holds every datapath against it.
 inline constexpr std::size_t kMaxFrameVectors = 3;
 using FrameVectors = std::array<Vec3, kMaxFrameVectors>;
+// The components of a texel of the bump map, filtered.
+using BumpComponents = std::array<double, kMaxBumpComponents>;
 
 // What is not said by a datapath: the defaults of properties.def.
 struct DatapathDefaults : Config {
@@ -49,7 +62,7 @@ struct DatapathDefaults : Config {
   // The space that a bumped draw lights in, and what is turned round where its back is seen.
   static constexpr DrawSpace kSpace = DrawSpace::kWorld;
   static constexpr bool kTurnsLight = false;
-  // The texels are made from the height field, where there is one; else the texture's normals are taken.
+  // The height field is wanted for the texels, where there is one.
   static constexpr bool kTexelsFromHeights = false;
 
   explicit DatapathDefaults(const Config& config) : Config(config) {}
@@ -57,6 +70,11 @@ struct DatapathDefaults : Config {
   // Names of the vectors in the place of N, and of the bump map, as values.
   static constexpr std::array<std::string_view, 0> frame_names() { return {}; }
   static constexpr std::string_view bump_name() { return {}; }
+
+  // The texels, with whatever the components of the bump map were divided by; and the normal in tangent space, of any
+  // length, that a bump map of that scale stands for.
+  static ExactTexture texels(const TexelInputs& in) { return in.normals; }
+  static Vec3 texel_normal(std::span<const double>, double) { return {0, 0, 1}; }
 
   // The vectors at a vertex of a bumped draw, of a datapath that says frame_prepared.
   static FrameVectors vertex(const VertexInputs&) { return {}; }

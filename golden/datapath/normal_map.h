@@ -21,6 +21,9 @@ struct NormalMapped : DatapathDefaults {
   WRINKLE_SAYS(bump_width, vector_bits + 2)
   WRINKLE_SAYS(bump_fraction, vector_bits)
   WRINKLE_SAYS(bump_offset, (1 << texel_bits) - (decode == 0 ? 1 : 0))
+  // `range` is symmetric, so that an 8-bit image of a normal map comes back as its own codes; with `offset`, (0, 0, 1)
+  // is exact.
+  WRINKLE_SAYS(bump_full_scale, (1 << texel_bits) - (decode == 0 ? 1 : 2))
   WRINKLE_SAYS(normal_width, vector_bits + 2)
   WRINKLE_SAYS(normal_bits, vector_bits)
   WRINKLE_SAYS(normal_input_bits, vector_bits)
@@ -29,6 +32,8 @@ struct NormalMapped : DatapathDefaults {
 
   static constexpr std::array<std::string_view, 1> frame_names() { return {"n"}; }
   static constexpr std::string_view bump_name() { return "n"; }
+
+  static Vec3 texel_normal(std::span<const double> bump, double) { return {bump[0], bump[1], bump[2]}; }
 
   // The exact twin of perturb_lanes().
   static Vec3 exact(bool is_bumped, std::span<const Vec3> frame, std::span<const double> bump) {

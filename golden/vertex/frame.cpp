@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "golden/datapath/datapaths.h"
-#include "golden/texel/gradient_map.h"
 #include "golden/texel/quantise.h"
 #include "golden/vertex/camera.h"
 #include "golden/vertex/clip.h"
@@ -62,12 +61,6 @@ class MirroredHeight : public HeightField {
 
  private:
   std::shared_ptr<const HeightField> height_;
-};
-
-// A texture of the frame, and what its slopes were divided by.
-struct BoundMap {
-  int index = 0;
-  double gradient_scale = 1;
 };
 
 // Whether fu and fv of its map are by the parameters of its surface; else they are by lengths along T and B.
@@ -138,10 +131,10 @@ class FrameBuilder {
   void add(const Object& object);
   DrawState state_of(const Object& object);
   void hold_light(const Object& object, DrawState& state) const;
-  const BoundMap& map_of(const Object& object);
-  std::vector<ClipVertex> shade(const Object& object, const DrawState& state, double texel_scale) const;
+  int map_of(const Object& object);
+  std::vector<ClipVertex> shade(const Object& object, const DrawState& state) const;
   void light(const Object& object, const Vertex& vertex, const DrawState& state, ClipVertex& v) const;
-  FrameVectors prepare(const Object& object, const Vertex& vertex, double texel_scale) const;
+  FrameVectors prepare(const Object& object, const Vertex& vertex, double bump_scale) const;
   void add_triangle(const std::array<const ClipVertex*, 3>& corners, Facing facing, const ScreenTriangle& blank,
                     Draw& draw) const;
   ScreenVertex snap(const ClipVertex& vertex, const DrawState& state, bool back) const;
@@ -153,27 +146,19 @@ class FrameBuilder {
   Illumination illumination_;
   GuardBand band_;
   Frame frame_;
-  std::map<std::pair<std::shared_ptr<const ExactTexture>, std::shared_ptr<const Grid<double>>>, BoundMap> map_of_;
+  std::map<std::pair<std::shared_ptr<const ExactTexture>, std::shared_ptr<const Grid<double>>>, int> map_of_;
   std::uint32_t next_id_ = 0;
 };
 
-const BoundMap& FrameBuilder::map_of(const Object& object) {
+int FrameBuilder::map_of(const Object& object) {
   const auto heights = rules_.texels_from_heights && has_derivatives(object) ? object.heights : nullptr;
-  const auto [entry, is_new] = map_of_.try_emplace({object.texture, heights});
-  BoundMap& map = entry->second;
-  if (!is_new) return map;
-  map.index = static_cast<int>(frame_.textures.size());
-  if (!rules_.texels_from_heights) {
-    frame_.exact_textures.push_back(*object.texture);
-  } else {
-    GradientTexture gradient =
-        heights ? gradient_texture(*object.texture, *heights, config_.texel_bits, {object.wrap_u, object.wrap_v})
-                : gradient_texture(*object.texture, config_.texel_bits);
-    map.gradient_scale = gradient.scale;
-    frame_.exact_textures.push_back(std::move(gradient.texture));
-  }
+  const auto [entry, is_new] = map_of_.try_emplace({object.texture, heights}, static_cast<int>(frame_.textures.size()));
+  if (!is_new) return entry->second;
+  const TexelInputs inputs{*object.texture, heights.get(), config_.texel_bits, {object.wrap_u, object.wrap_v}};
+  frame_.exact_textures.push_back(
+      with_datapath(config_, [&](const auto& said) { return std::decay_t<decltype(said)>::texels(inputs); }));
   frame_.textures.push_back(quantise(frame_.exact_textures.back(), config_));
-  return map;
+  return entry->second;
 }
 
 // Without a texture (or a datapath) there is nothing to perturb the normal with: the object is lit in world space.
@@ -186,7 +171,7 @@ DrawState FrameBuilder::state_of(const Object& object) {
   state.shadow = object.shadow && !in_object_space;
   state.wrap_u = object.wrap_u;
   state.wrap_v = object.wrap_v;
-  state.texture = state.textured ? map_of(object).index : 0;
+  state.texture = state.textured ? map_of(object) : 0;
   state.material = object.material;
   if (!config_.has_light_planes) hold_light(object, state);
   return state;
@@ -231,7 +216,7 @@ void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawS
 }
 
 // The vectors in the place of N, as the datapath has them at a vertex of a bumped draw.
-FrameVectors FrameBuilder::prepare(const Object& object, const Vertex& vertex, double texel_scale) const {
+FrameVectors FrameBuilder::prepare(const Object& object, const Vertex& vertex, double bump_scale) const {
   const TangentFrame frame = tangent_frame(vertex, object.to_world);
   const VertexInputs inputs{frame.N,
                             frame.T,
@@ -239,12 +224,13 @@ FrameVectors FrameBuilder::prepare(const Object& object, const Vertex& vertex, d
                             transform_direction(object.to_world, 1 / object.repeat.x * vertex.Pu),
                             transform_direction(object.to_world, 1 / object.repeat.y * vertex.Pv),
                             has_derivatives(object),
-                            texel_scale};
+                            bump_scale};
   return with_datapath(config_, [&](const auto& datapath) { return datapath.vertex(inputs); });
 }
 
-std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawState& state, double texel_scale) const {
+std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawState& state) const {
   const bool prepares = config_.frame_prepared != 0 && state.bump;
+  const double bump_scale = prepares ? frame_.exact_textures[static_cast<std::size_t>(state.texture)].bump_scale : 1;
   std::vector<ClipVertex> vertices;
   vertices.reserve(object.mesh.vertices.size());
   for (const Vertex& vertex : object.mesh.vertices) {
@@ -254,7 +240,7 @@ std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawStat
     v.uv = vertex.uv;
     v.parameter = vertex.parameter;
     light(object, vertex, state, v);
-    if (prepares) v.frame = prepare(object, vertex, texel_scale);
+    if (prepares) v.frame = prepare(object, vertex, bump_scale);
     vertices.push_back(v);
   }
   if (prepares && config_.frame_unbounded != 0) scale_to_block(vertices);
@@ -264,8 +250,7 @@ std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawStat
 void FrameBuilder::add(const Object& object) {
   Draw draw;
   draw.state = state_of(object);
-  const double gradient_scale = draw.state.bump ? map_of(object).gradient_scale : 1;
-  const std::vector<ClipVertex> vertices = shade(object, draw.state, gradient_scale);
+  const std::vector<ClipVertex> vertices = shade(object, draw.state);
   const WorldSurfaces surfaces(object);
   // A matrix that mirrors turns all windings round.
   const bool mirrored = determinant3(object.to_world) < 0;

@@ -535,7 +535,7 @@ TEST(Gltf, SpecularGlossinessIsRead) {
   EXPECT_EQ(scene.config, "fine");
   EXPECT_NEAR(scene.objects.at(0).material.diffuse.y, 0.85 * 0.4, 1e-12);
   ASSERT_TRUE(scene.objects[0].texture);
-  EXPECT_NEAR(scene.objects[0].texture->levels[0][0][3], 102.0 / 255, 1e-6);
+  EXPECT_NEAR(scene.objects[0].texture->levels[0][0].colour[0], 102.0 / 255, 1e-6);
 }
 
 TEST(Gltf, ColoursOfVerticesMultiplyTheMaterial) {

@@ -128,7 +128,7 @@ TEST(ObjScene, BumpIsHeightUnlessItHoldsNormals) {
   const auto normal = [&](const std::string& line) {
     folder.write("a b.mtl", "newmtl m\n" + line + "\n");
     const auto texture = read_scene(path).objects.at(0).texture;
-    return texture ? texture->levels[0][3 * 8 + 3] : std::array<float, 6>{};
+    return texture ? texture->levels[0][3 * 8 + 3].bump : std::array<float, kMaxBumpComponents>{};
   };
   const auto as_normal = normal("norm normal map.png");
   EXPECT_NEAR(as_normal[0], 2 * 102.0 / 255 - 1, 1e-6);
@@ -292,7 +292,7 @@ TEST(ObjScene, MapsAreScaledMovedClampedOrNoted) {
     EXPECT_TRUE(holds(notes, std::string(option).substr(0, 3)));
   }
   const auto flat = read("bump -bm 0 h.png").objects[0].texture->levels[0];
-  for (const auto& texel : flat) EXPECT_EQ(texel[2], 1);
+  for (const auto& texel : flat) EXPECT_EQ(texel.bump[2], 1);
 }
 
 // -clamp reaches the slopes of the heights: a ramp has no cliff at its border.
@@ -303,8 +303,8 @@ TEST(ObjScene, ClampedHeightsHaveNoCliffAtTheBorder) {
   const Scene clamped = read_scene(folder.write("a.obj", "mtllib a.mtl\nusemtl m\n" + kSquare + kFace));
   folder.write("a.mtl", "newmtl m\nbump h.png\n");
   const Scene repeated = read_scene(folder.path() / "a.obj");
-  EXPECT_LE(clamped.objects[0].texture->levels[0][0][0], 0);
-  EXPECT_GT(repeated.objects[0].texture->levels[0][0][0], 0);
+  EXPECT_LE(clamped.objects[0].texture->levels[0][0].bump[0], 0);
+  EXPECT_GT(repeated.objects[0].texture->levels[0][0].bump[0], 0);
 }
 
 TEST(ObjScene, ColoursOfVerticesMultiplyTheMaterial) {

@@ -20,17 +20,17 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
   const double centre = std::ldexp(1.0, t) - (config.decode == 0 ? 1 : 0);
   for (const auto& level : texture.levels) {
     auto& texels = out.levels.emplace_back();
-    for (std::uint64_t word : level) {
-      std::array<float, 6> texel{};
+    for (std::size_t i = 0; i < level.size() / static_cast<std::size_t>(texture.texel_words()); ++i) {
+      ExactTexel texel;
       for (std::size_t k = 0; k < static_cast<std::size_t>(texture.components); ++k) {
-        const double code = static_cast<double>(word >> (k * static_cast<std::size_t>(t)) & ((1u << t) - 1));
+        const double code = static_cast<double>(texture.code(level, i, static_cast<int>(k)));
         const auto bump = static_cast<std::size_t>(Shape(config).bump_components);
         const double half = std::ldexp(1.0, t - 1);
         if (k >= bump)
-          texel[k - bump + 3] = static_cast<float>(std::ldexp(code, -t));
+          texel.colour[k - bump] = static_cast<float>(std::ldexp(code, -t));
         else
-          texel[k] = static_cast<float>(Shape(config).bump_saturates != 0 ? code / half - 1
-                                                                          : std::ldexp(2 * code - centre, -t));
+          texel.bump[k] = static_cast<float>(Shape(config).bump_saturates != 0 ? code / half - 1
+                                                                               : std::ldexp(2 * code - centre, -t));
       }
       texels.push_back(texel);
     }
@@ -43,7 +43,8 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
 TEST(Texture, SamplesStayWithinTheirBounds) {
   Worst normal("texture normal, share of 2^(1-B) + ulp/2", 1);
   // One ulp: what rounds up to 1 saturates.
-  Worst gradient("texture gradient, share of 2^(1-B) + ulp", 1), decal("texture decal, share of 2^-B + ulp/2", 1);
+  Worst saturated("texture slope or offset, share of 2^(1-B) + ulp", 1),
+      decal("texture decal, share of 2^-B + ulp/2", 1);
   std::uint64_t seed = base_seed();
   for (auto [name, config] : configurations(60)) {
     if (!config.has_texture()) continue;
@@ -66,22 +67,24 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
     const auto& v = config.perspective != 0 ? batch->perspective_v[0] : batch->interpolate_v[0];
     const int b = config.weight_fraction_bits();
     const double weight_error = b == 0 ? 0 : std::ldexp(1.0, -b);
-    const double n_ulp = std::ldexp(1.0, -config.vector_bits), decal_ulp = std::ldexp(1.0, -config.texel_bits);
+    const double bump_ulp = std::ldexp(1.0, -context.config.bump_fraction),
+                 decal_ulp = std::ldexp(1.0, -config.texel_bits);
     for (std::size_t i = 0; i < kBatch; ++i) {
       const auto real = [](std::int64_t x, int bits) { return std::ldexp(static_cast<double>(x), -bits); };
       double lod = real(batch->interpolate_lod[0][i], config.lod_fraction_bits());
       // Without a trilinear filter the level of detail is a whole level already.
       const exact::Sample want =
           exact::sample(config, draw, exact_texture, {real(u[i], config.uv_bits), real(v[i], config.uv_bits)}, lod);
+      for (std::size_t k = 0; k < batch->texture_bump.size(); ++k) {
+        const double error = real(batch->texture_bump[k][i], context.config.bump_fraction) - want.bump[k];
+        if (context.config.bump_saturates != 0)
+          saturated.see(error / (2 * weight_error + bump_ulp + 1e-6));
+        else
+          normal.see(error / (2 * weight_error + bump_ulp / 2 + 1e-6));
+      }
       for (std::size_t k = 0; k < 3; ++k) {
-        if (Shape(config).bump_saturates != 0 && k < 2)
-          gradient.see((real(batch->texture_bump[k][i], config.gradient_bits) - want[k]) /
-                       (2 * weight_error + std::ldexp(1.0, -config.gradient_bits) + 1e-6));
-        if (Shape(config).surface_is_z != 0)
-          normal.see((real(batch->texture_bump[k][i], config.vector_bits) - want[k]) /
-                     (2 * weight_error + n_ulp / 2 + 1e-6));
         if (config.decal != 0)
-          decal.see((real(batch->texture_decal[k][i], config.texel_bits) - want[k + 3]) /
+          decal.see((real(batch->texture_decal[k][i], config.texel_bits) - want.colour[k]) /
                     (weight_error + decal_ulp / 2 + 1e-6));
       }
     }
