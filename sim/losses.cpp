@@ -1,9 +1,9 @@
 #include "sim/losses.h"
 
-#include <array>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "golden/triangle/packet.h"
