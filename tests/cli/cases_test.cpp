@@ -180,7 +180,8 @@ TEST_F(Cases, UnknownMaterial) {
 TEST_F(Cases, BumpOptions) {
   draw("27-bump-options");
   expect_same("27-bump-options", "before", {"after", "upper", "more"});
-  expect_same("27-bump-options", "none", {"zero"});
+  // A flat bump map lights by N' and L of tangent space, which round by themselves: at most one code apart.
+  EXPECT_LT(difference("27-bump-options", "none", "zero"), 1.5);
   EXPECT_GT(difference("27-bump-options", "before", "scaled"), 0);
   EXPECT_GT(difference("27-bump-options", "before", "half"), 0);
 }
