@@ -48,7 +48,7 @@ void set_words(std::array<std::uint64_t, n>& pin, const std::uint64_t* words, st
 // to offer, offer_NAME(), and tells NAME_taken(); of an output stream it tells NAME_taken() before the clock edge.
 class Clockwork {
  public:
-  Clockwork(Run& run, BlockReader<WordBlock>& words, QuadFetch& quads)
+  Clockwork(BenchRun& run, BlockReader<WordBlock>& words, QuadFetch& quads)
       : run_(run),
         model_(*run.model),
         words_(words),
@@ -56,7 +56,7 @@ class Clockwork {
         taps_(values(*run.config), stage_moves(*run.config), run.model->wires()),
         stalls_(stall_sources(*run.options)),
         colour_bits_(run.config->colour_bits),
-        channels_(run.config->channel_count()) {
+        channels_(Shape(*run.config).count) {
     if (run.tapped) run.visible_values = taps_.visible_values();
   }
 
@@ -229,7 +229,7 @@ class Clockwork {
     return d;
   }
 
-  Run& run_;
+  BenchRun& run_;
   Model& model_;
   BlockReader<WordBlock>& words_;
   QuadFetch& quads_;
