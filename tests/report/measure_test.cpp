@@ -108,7 +108,7 @@ TEST(Aov, ValuesOfADatapathHaveChannels) {
   const Config config = load_config("offset");
   const Frame frame = build_frame(config, scene_named("patch_offset"));
   const std::vector<AovChannel> channels =
-      aov_channels(config, {"texture_offset", "interpolate_n", "perturb_n", "lod", "z"});
+      aov_channels(config, {"texture_offset", "interpolate_l", "perturb_n", "lod", "z"});
   ASSERT_EQ(channels.size(), 2u + 3 + 3 + 1 + 1);
   EXPECT_EQ(channels[1].name, "texture_offset.y");
   const Picture golden = drawn(Engine::kGolden, config, frame, channels).all_channels();
