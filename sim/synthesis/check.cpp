@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kClocks = 1000, kEpisode = 40, kLeastRuns = 2, kMostRuns = 8;
+constexpr int kClocks = 1000, kEpisode = 40, kLeastRuns = 4, kMostRuns = 16;
 // With registers as wires, a word stays until the deepest pipeline shows it, and only then is compared.
 constexpr int kStay = 8;
 

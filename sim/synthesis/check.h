@@ -22,7 +22,7 @@ struct CheckOptions {
 // Icarus simulates the Verilog, gates.h the netlist, both from the same random state, which is another in every run:
 // each register of the Verilog starts as the net of its name in the netlist does, and at random where there is none. So
 // every output is known and compared at every clock, the first included, and a reset that is missing is seen. Runs of
-// 1,000 clocks follow each other until every register and every output has been 0 and 1, two at least and eight at
+// 1,000 clocks follow each other until every register and every output has been 0 and 1, four at least and sixteen at
 // most.
 //
 // Throws NetlistDiffers, whose text says the first output, its clock and the inputs.
