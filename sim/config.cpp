@@ -88,7 +88,7 @@ int show(Options options) {
 
 }  // namespace
 
-void add_config(CLI::App& app, Run& run) {
+void add_config(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("config", "A configuration: values, legal ranges, what follows from them");
   command->add_option("config", options->config, "Configuration, by name or .toml file; else standard");

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "golden/config/config.h"
+#include "golden/config/values.h"
 #include "golden/texel/grid.h"
 #include "golden/texel/texture.h"
 #include "golden/texel/wrap.h"
@@ -48,8 +48,6 @@ struct TexelInputs {
   int texel_bits;
   Wraps wraps;  // of the draw: they say what lies beyond the edges of the heights
 };
-// Vectors in the place of N, at most; a test holds every datapath against it.
-inline constexpr std::size_t kMaxFrameVectors = 3;
 using FrameVectors = std::array<Vec3, kMaxFrameVectors>;
 // The components of a texel of the bump map, filtered.
 using BumpComponents = std::array<double, kMaxBumpComponents>;

@@ -78,6 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCommand{"UnknownAov", "render patch_fig6 --aov B -o /tmp/x.exr", "found B"},
                     BadCommand{"AovOfAnotherConfig", "render patch_fig1 --set datapath=phong --aov lod -o /tmp/x.exr",
                                "interpolate_lod"},
+                    BadCommand{"AovOfAnotherDatapath", "render patch_fig6 --aov texture_offset -o /tmp/x.exr", "texture_n"},
                     BadCommand{"AovIntoPng", "render patch_fig6 --aov N -o /tmp/x.png", ".exr"},
                     BadCommand{"UnknownFormat", "render patch_fig6 --size 8 -o /tmp/x.nothing", ".nothing"},
                     BadCommand{"UnwritableFolder", "render patch_fig6 --size 8 -o /proc/none/x.png",
