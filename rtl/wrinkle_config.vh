@@ -9,7 +9,7 @@
 //   WRINKLE_SECTION_PERTURB      in wrinkle_core: the perturb stage of the datapath
 
 `ifdef WRINKLE_SECTION_PARAMETERS
-  parameter DATAPATH           = 1,  // 0 to 3: phong|normal_map|blinn|rotated
+  parameter DATAPATH           = 1,  // 0 to 4: phong|normal_map|blinn|rotated|offset
   parameter CROSS_PRODUCTS     = 0,  // 0 to 1: interpolated|constant
   parameter LIGHT_VECTORS      = 0,  // 0 to 1: interpolated|constant
   parameter LIGHTING           = 1,  // 0 to 3: diffuse|halfangle|reflection|pixel_halfangle
@@ -50,36 +50,40 @@
 
 `ifdef WRINKLE_SECTION_DERIVED
   // vectors interpolated in the place of N
-  localparam FRAME_VECTORS = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 3 : 0;
+  localparam FRAME_VECTORS = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 3 : DATAPATH == 3 ? 0 : 1;
   // bits of an element of such a vector, without guard bits
   localparam FRAME_WIDTH = DATAPATH == 0 ? VECTOR_BITS + 2 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ? WIDE_BITS
-    + 2 : 0;
+    + 2 : DATAPATH == 3 ? 0 : VECTOR_BITS + 2;
   // how many of the vectors, the last ones, are held over a triangle
-  localparam FRAME_HELD = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? (CROSS_PRODUCTS != 0 ? 2 : 0) : 0;
+  localparam FRAME_HELD = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? (CROSS_PRODUCTS != 0 ? 2 : 0) :
+    DATAPATH == 3 ? 0 : 0;
   // components of the bump map in a texel
-  localparam BUMP_COMPONENTS = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : 0;
+  localparam BUMP_COMPONENTS = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : DATAPATH == 3 ? 0 : 2;
   // bits of such a component when it is decoded
-  localparam BUMP_WIDTH = DATAPATH == 0 ? 0 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ? GRADIENT_BITS + 1 : 0;
+  localparam BUMP_WIDTH = DATAPATH == 0 ? 0 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ? GRADIENT_BITS + 1 :
+    DATAPATH == 3 ? 0 : VECTOR_BITS + 1;
   // its fraction bits
-  localparam BUMP_FRACTION = DATAPATH == 0 ? 0 : DATAPATH == 1 ? VECTOR_BITS : DATAPATH == 2 ? GRADIENT_BITS : 0;
+  localparam BUMP_FRACTION = DATAPATH == 0 ? 0 : DATAPATH == 1 ? VECTOR_BITS : DATAPATH == 2 ? GRADIENT_BITS : DATAPATH
+    == 3 ? 0 : VECTOR_BITS;
   // code c stands for 2c less so much, in units of 2^-T
   localparam BUMP_OFFSET = DATAPATH == 0 ? 0 : DATAPATH == 1 ? ((1 << TEXEL_BITS) - (DECODE == 0 ? 1 : 0)) : DATAPATH ==
-    2 ? 1 << TEXEL_BITS : 0;
+    2 ? 1 << TEXEL_BITS : DATAPATH == 3 ? 0 : 1 << TEXEL_BITS;
   // 1: what is decoded may leave its format by rounding
-  localparam BUMP_SATURATES = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? 1 : 0;
+  localparam BUMP_SATURATES = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? 1 : DATAPATH == 3 ? 0 : 1;
   // bits of an element of N'; 0: N' is (0, 0, 1)
   localparam NORMAL_WIDTH = DATAPATH == 0 ? VECTOR_BITS + 2 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ?
-    WIDE_BITS + 3 : 0;
+    WIDE_BITS + 3 : DATAPATH == 3 ? 0 : VECTOR_BITS + 2;
   // V of the unit that normalizes N', which takes s1.V
   localparam NORMAL_INPUT_BITS = DATAPATH == 0 ? VECTOR_BITS : DATAPATH == 1 ? VECTOR_BITS : DATAPATH == 2 ? WIDE_BITS +
-    1 : 0;
-  localparam NORMAL_ANY_LENGTH = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? 1 : 0;  // 1: N' has any length
+    1 : DATAPATH == 3 ? 0 : VECTOR_BITS;
+  // 1: N' has any length
+  localparam NORMAL_ANY_LENGTH = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? 1 : DATAPATH == 3 ? 0 : 1;
   // 1: N' has the format of L and H, so that one unit normalizes all three
-  localparam NORMAL_LIKE_LIGHT = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 0 : 0;
+  localparam NORMAL_LIKE_LIGHT = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 0 : DATAPATH == 3 ? 0 : 1;
   // cosine of the light at the unperturbed surface of a bumped draw: L.z, else N.L
-  localparam SURFACE_IS_Z = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 0 : 0;
+  localparam SURFACE_IS_Z = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 0 : DATAPATH == 3 ? 0 : 1;
   // 1: L and H may be constants of a draw
-  localparam LIGHT_MAY_BE_CONSTANT = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 1 : 0;
+  localparam LIGHT_MAY_BE_CONSTANT = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 1 : DATAPATH == 3 ? 0 : 0;
   // elements of vector 0 of what is interpolated in the place of N
   localparam FRAME_0_ELEMENTS = FRAME_VECTORS > 0 ? 3 : 0;
   localparam FRAME_0_WIDTH = FRAME_VECTORS > 0 ? FRAME_WIDTH : 0;  // bits of such an element
@@ -210,8 +214,8 @@
 
 `ifdef WRINKLE_SECTION_RULES
   generate
-    if (DATAPATH < 0 || DATAPATH > 3) begin : datapath_range
-      wrinkle_error_datapath_is_not_0_to_3 error ();
+    if (DATAPATH < 0 || DATAPATH > 4) begin : datapath_range
+      wrinkle_error_datapath_is_not_0_to_4 error ();
     end
     if (CROSS_PRODUCTS < 0 || CROSS_PRODUCTS > 1) begin : cross_products_range
       wrinkle_error_cross_products_is_not_0_to_1 error ();
@@ -387,6 +391,11 @@
         .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
     end else if (DATAPATH == 3) begin : rotated
       wrinkle_perturb_rotated #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
+        .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
+        .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
+        .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));
+    end else if (DATAPATH == 4) begin : offset
+      wrinkle_perturb_offset #(.FRAME(FRAME), .BUMP(BUMP), .NORMAL(NORMAL), .CARRY(PERTURB_CARRY)) perturb (
         .clk(clk), .rst(rst), .draw_bump_i(draw_bump), .in_valid_i(texture_valid), .in_ready_o(texture_ready),
         .frame_i(texture_frame), .bump_i(texture_bump), .carry_i(texture_others), .out_valid_o(perturb_valid),
         .out_ready_i(perturb_ready), .n_o(perturb_n), .carry_o(perturb_others), .busy_o(perturb_busy));

@@ -276,26 +276,5 @@ module wrinkle_core #(
 
   wrinkle_field #(.BITS(TAG + 1), .AT(2*SCREEN_BITS + 1), .WIDTH(Z)) field_fragment_z (
     .bus_i(output_others), .field_o(fragment_z_o));
-
-  // Names that the taps of the bench have today: to be deleted, up to the last line of dashes, when they follow the new.
-  // ---
-  wire [(DATAPATH == 0 || DATAPATH == 1 ? FRAME : 1)-1:0] interpolate_n;
-  wire [(DATAPATH == 2 ? FRAME/3 : 1)-1:0] interpolate_a, interpolate_b, interpolate_c;
-  wire [(DATAPATH == 1 ? BUMP : 1)-1:0] texture_n;
-  wire [(DATAPATH == 2 ? BUMP : 1)-1:0] texture_gradient;
-  wire unused_names = &{1'b0, interpolate_n, interpolate_a, interpolate_b, interpolate_c, texture_n, texture_gradient};
-  wrinkle_field #(.BITS(FRAME != 0 ? FRAME : 1), .AT(0), .WIDTH(DATAPATH == 0 || DATAPATH == 1 ? FRAME : 0)) name_n (
-    .bus_i(interpolate_frame), .field_o(interpolate_n));
-  wrinkle_field #(.BITS(FRAME != 0 ? FRAME : 1), .AT(0), .WIDTH(DATAPATH == 2 ? FRAME/3 : 0)) name_a (
-    .bus_i(interpolate_frame), .field_o(interpolate_a));
-  wrinkle_field #(.BITS(FRAME != 0 ? FRAME : 1), .AT(FRAME/3), .WIDTH(DATAPATH == 2 ? FRAME/3 : 0)) name_b (
-    .bus_i(interpolate_frame), .field_o(interpolate_b));
-  wrinkle_field #(.BITS(FRAME != 0 ? FRAME : 1), .AT(2*FRAME/3), .WIDTH(DATAPATH == 2 ? FRAME/3 : 0)) name_c (
-    .bus_i(interpolate_frame), .field_o(interpolate_c));
-  wrinkle_field #(.BITS(BUMP != 0 ? BUMP : 1), .AT(0), .WIDTH(DATAPATH == 1 ? BUMP : 0)) name_texture_n (
-    .bus_i(texture_bump), .field_o(texture_n));
-  wrinkle_field #(.BITS(BUMP != 0 ? BUMP : 1), .AT(0), .WIDTH(DATAPATH == 2 ? BUMP : 0)) name_gradient (
-    .bus_i(texture_bump), .field_o(texture_gradient));
-  // ---
 endmodule
 `default_nettype wire

@@ -14,7 +14,7 @@ using Exact = double (*)(const ExactFragment&);
 
 struct Aov {
   std::string_view name, description;
-  std::string_view stage, value;  // of components.def; empty for `triangle`
+  std::string_view stage, value;  // of values.def; empty for `triangle`
   std::vector<Exact> exact;       // one per element
 };
 
@@ -35,15 +35,19 @@ const std::vector<Aov>& table() {
       {"v", "texture coordinate", "interpolate", "v", {WRINKLE_EXACT(v)}},
       {"lod", "level of detail", "interpolate", "lod", {WRINKLE_EXACT(lod)}},
       {"z", "depth", "interpolate", "z", {WRINKLE_EXACT(z)}},
-      {"interpolated_N", "normal from the vertices", "interpolate", "n", WRINKLE_EXACT3(interpolated_n)},
+      {"interpolated_N", "normal from the vertices", "interpolate", "n", WRINKLE_EXACT3(frame[0])},
       {"interpolated_L", "light vector from the vertices", "interpolate", "l", WRINKLE_EXACT3(interpolated_l)},
       {"interpolated_H", "half-angle vector from the vertices", "interpolate", "h", WRINKLE_EXACT3(interpolated_h)},
-      {"texture_N", "normal from the texture", "texture", "n", WRINKLE_EXACT3(texture_n)},
+      {"texture_N",
+       "normal from the texture",
+       "texture",
+       "n",
+       {WRINKLE_EXACT(bump[0]), WRINKLE_EXACT(bump[1]), WRINKLE_EXACT(bump[2])}},
       {"gradient",
        "slopes fu, fv from the texture",
        "texture",
        "gradient",
-       {WRINKLE_EXACT(gradient.x), WRINKLE_EXACT(gradient.y)}},
+       {WRINKLE_EXACT(bump[0]), WRINKLE_EXACT(bump[1])}},
       {"decal", "base colour from the texture", "texture", "decal", WRINKLE_EXACT3(decal)},
       {"triangle", "1 + number of the triangle in the frame, 0 where there is none", "", "", {}},
   };
@@ -79,16 +83,16 @@ void append(const Config& config, const Aov& aov, std::vector<AovChannel>& chann
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Value& value = all[i];
     if (value.stage != stage_of(config, aov) || value.name != aov.value) continue;
-    if (!value.present)
-      throw InputError(Place{fmt::format("--aov {}", aov.name)},
-                       fmt::format("this configuration has no {}_{}", value.stage, value.name));
     for (std::size_t e = 0; e < aov.exact.size(); ++e) {
       const std::string suffix = aov.exact.size() == 1 ? "" : fmt::format(".{}", "xyz"[e]);
       channels.push_back(
           {std::string(aov.name) + suffix, int(i), e, std::ldexp(1.0, -value.fraction_bits), aov.exact[e]});
       if (config.normalizes_after() && value.stage == "normalize") multiply_by_scale(all, channels.back());
     }
+    return;
   }
+  throw InputError(Place{fmt::format("--aov {}", aov.name)},
+                   fmt::format("this configuration has no {}_{}", stage_of(config, aov), aov.value));
 }
 
 }  // namespace

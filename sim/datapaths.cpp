@@ -14,6 +14,7 @@ std::vector<DatapathFrame> datapath_frames() {
       {0, {"sharing", "patch_fig6", "standard", {"sharing=on"}}},
       {0, {"single_buffering", "patch_fig6", "standard", {"buffering=single"}}},
       {0, {"smallest", "patch_fig6", "smallest", {}}},
+      {0, {"offset", "patch_offset", "offset", {}}},
       {1, {"blinn", "patch_fig5", "blinn", {}}},
       {1, {"blinn_draw_exponent", "patch_fig5", "blinn", {"block_exponent=draw"}}},
       {1, {"blinn_constant", "patch_fig5", "blinn_constant", {}}},

@@ -3,21 +3,29 @@
 
 #include <fstream>
 
+#include "golden/config/tables.h"
 #include "golden/config/verilog.h"
 #include "sim/command.h"
 
 namespace wrinkle {
+namespace {
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(WRINKLE_SOURCE_DIR "/" + path);
+  file << text;
+  if (!file.flush()) throw std::runtime_error(path + " cannot be written");
+  fmt::print("{}\n", path);
+}
+
+}  // namespace
 
 void add_generate(CLI::App& app, Run& run) {
   CLI::App& command = *app.add_subcommand(
       "generate", "For developers: write the checked-in files that are made from golden/config and golden/datapath");
   command.callback([&run] {
     run = [] {
-      const std::string path = WRINKLE_SOURCE_DIR "/rtl/wrinkle_config.vh";
-      std::ofstream file(path);
-      file << verilog_config();
-      if (!file.flush()) throw std::runtime_error(path + " cannot be written");
-      fmt::print("rtl/wrinkle_config.vh\n");
+      write("rtl/wrinkle_config.vh", verilog_config());
+      write("docs/parameters.md", parameter_page());
       return kExitEqual;
     };
   });

@@ -54,7 +54,7 @@ struct Difference {
   std::int64_t draw = -1, packet = -1, triangle = -1;  // -1: unknown
   std::int32_t x = 0, y = 0;                           // of the golden fragment, or the RTL's where there is none
   std::string stage;  // first that differs, in pipeline order; empty: the replay showed no difference
-  std::string value;  // name in components.def, or of the port; empty when it is not one value
+  std::string value;  // name in values.def, or of the port; empty when it is not one value
   int element = 0;
   int width = 0, fraction_bits = 0;
   std::int64_t golden = 0, rtl = 0;

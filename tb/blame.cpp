@@ -110,7 +110,7 @@ void name_by_port(Difference& d, const Run& run) {
   const auto port = [&](const char* port_name, int width, int fraction, std::size_t element, std::int64_t golden,
                         std::int64_t rtl) {
     if (golden == rtl || !d.stage.empty()) return;
-    name(d, {"output", port_name, 1, width, fraction, false, true, "", 0}, element, golden, rtl);
+    name(d, {"output", port_name, 1, width, fraction, false, ValueKind::wire, "", 0}, element, golden, rtl);
   };
   port("x", config.screen_bits, 0, 0, g.x, r.x);
   port("y", config.screen_bits, 0, 0, g.y, r.y);

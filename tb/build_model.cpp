@@ -214,7 +214,7 @@ std::vector<std::string> visible_wires(const Config& config) {
     wires.push_back(fmt::format("{}_ready", stage));
   }
   for (const Value& value : values(config)) {
-    if (value.present && std::find(wires.begin(), wires.end(), value.wire) == wires.end())
+    if (std::find(wires.begin(), wires.end(), value.wire) == wires.end())
       wires.emplace_back(value.wire);
   }
   return wires;

@@ -60,7 +60,7 @@ Vec3 random_colour(Random& random) { return {random.real(), random.real(), rando
 DrawState random_state(const Config& config, const Frame& frame, Random& random) {
   DrawState state;
   const bool texels = !frame.textures.empty();
-  state.bump = config.has_bump() && texels && random.below(4) != 0;
+  state.bump = Shape(config).bump_components != 0 && texels && random.below(4) != 0;
   state.textured = state.bump || (config.decal != 0 && texels && random.below(2) != 0);
   state.shadow = config.self_shadow != 0 && random.below(4) != 0;
   state.wrap_u = static_cast<Wrap>(random.below(3));
@@ -132,6 +132,7 @@ Vec2 random_uv(const Config& config, double scale, Vec2 offset, Random& random) 
 
 ScreenTriangle random_triangle(const Config& config, const DrawState& state, const Outline& outline, Random& random) {
   ScreenTriangle triangle;
+  const Shape shape(config);
   const double uv_scale = std::exp2(-8 * random.real());
   const auto offset = [&](Wrap wrap) { return wrap == Wrap::kClamp ? 0.0 : 2.0 * random.between(-64, 64); };
   const Vec2 uv_offset{offset(state.wrap_u), offset(state.wrap_v)};
@@ -145,12 +146,12 @@ ScreenTriangle random_triangle(const Config& config, const DrawState& state, con
     vertex.N = random_vector(random);
     vertex.L = random_vector(random);
     vertex.H = random_vector(random);
-    if (Shape(config).frame_unbounded == 0) continue;
+    if (Shape(config).frame_prepared == 0) continue;
     // Mostly a normal perturbed by less than its length.
-    vertex.A = random_vector(random);
+    vertex.frame[0] = random_vector(random);
     const double scale = std::exp2(-3 * random.real());
-    vertex.B = scale * random_vector(random);
-    vertex.C = scale * random_vector(random);
+    vertex.frame[1] = scale * random_vector(random);
+    vertex.frame[2] = scale * random_vector(random);
   }
   if (random.below(16) == 0) triangle.v[1].N = -triangle.v[0].N;
   return triangle;

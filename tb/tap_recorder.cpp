@@ -41,7 +41,7 @@ TapRecorder::TapRecorder(std::vector<Value> values, const PerStage<int>& moves, 
     found.ready = find(wires, name + "_ready");
     seen_[stage].visible = moves_[stage] > 0 && found.valid.data != nullptr && found.ready.data != nullptr;
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (values_[i].stage != name || !values_[i].present) continue;
+      if (values_[i].stage != name) continue;
       const Wire wire = find(wires, values_[i].wire);
       if (wire.data != nullptr) found.taps.push_back({i, wire});
     }

@@ -1,5 +1,7 @@
 #include "golden/config/config.h"
 
+#include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "golden/datapath/datapaths.h"
@@ -71,6 +73,23 @@ struct RuleBook : Shape {
   }
 };
 
+// A rule's message with the value of every width that it names behind the name, so that both that collide are shown.
+std::string with_values(const Config& config, std::string_view message) {
+  const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::string shown;
+  for (std::size_t at = 0; at < message.size();) {
+    std::size_t end = at;
+    while (end < message.size() && is_part(message[end])) ++end;
+    const std::string_view word = message.substr(at, std::max(end - at, std::size_t{1}));
+    shown += word;
+    for (const Parameter& parameter : parameters())
+      if (parameter.name == word && parameter.values.empty())
+        shown += " (" + std::to_string(config.*parameter.member) + ")";
+    at += word.size();
+  }
+  return shown;
+}
+
 }  // namespace
 
 DatapathProperties datapath_properties(const Config& config) {
@@ -133,7 +152,7 @@ IllegalParameter check(const Config& config) {
   const Rule& rule = rules()[*broken];
   const Parameter& parameter = parameter_named(rule.key);
   return {std::string(rule.key), std::string(rule.key) + " = " + written(parameter, config.*parameter.member) +
-                                     " is not legal: " + std::string(rule.message)};
+                                     " is not legal: " + with_values(config, rule.message)};
 }
 
 bool Config::has_blinn() const { return Shape(*this).frame_unbounded != 0; }

@@ -9,6 +9,10 @@ namespace wrinkle {
 struct Rotated : DatapathDefaults {
   using DatapathDefaults::DatapathDefaults;
 
+  static constexpr bool kPerturbs = false;
+  static constexpr DrawSpace kSpace = DrawSpace::kTangent;
+  static constexpr bool kTurnsLight = true;
+
   WRINKLE_SAYS(light_may_be_constant, 0)
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "golden/config/config.h"
+#include "golden/datapath/datapath.h"
 #include "golden/triangle/draw.h"
 
 namespace wrinkle {

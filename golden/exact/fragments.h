@@ -29,19 +29,41 @@ struct Column<double> {
 };
 
 template <>
-struct Column<Vec2> {
-  std::array<Numbers, 2> element;
-
-  Vec2 operator[](std::size_t i) const { return {element[0][i], element[1][i]}; }
-  void set(std::size_t i, Vec2 value) { element[0][i] = value.x, element[1][i] = value.y; }
-};
-
-template <>
 struct Column<Vec3> {
   std::array<Numbers, 3> element;
 
   Vec3 operator[](std::size_t i) const { return {element[0][i], element[1][i], element[2][i]}; }
   void set(std::size_t i, Vec3 value) { element[0][i] = value.x, element[1][i] = value.y, element[2][i] = value.z; }
+};
+
+template <>
+struct Column<BumpComponents> {
+  std::array<Numbers, kMaxBumpComponents> element;
+
+  BumpComponents operator[](std::size_t i) const {
+    BumpComponents value;
+    for (std::size_t k = 0; k < value.size(); ++k) value[k] = element[k][i];
+    return value;
+  }
+  void set(std::size_t i, const BumpComponents& value) {
+    for (std::size_t k = 0; k < value.size(); ++k) element[k][i] = value[k];
+  }
+};
+
+template <>
+struct Column<FrameVectors> {
+  std::array<Numbers, 3 * kMaxFrameVectors> element;
+
+  FrameVectors operator[](std::size_t i) const {
+    FrameVectors value;
+    for (std::size_t k = 0; k < value.size(); ++k)
+      value[k] = {element[3 * k][i], element[3 * k + 1][i], element[3 * k + 2][i]};
+    return value;
+  }
+  void set(std::size_t i, const FrameVectors& value) {
+    for (std::size_t k = 0; k < value.size(); ++k)
+      element[3 * k][i] = value[k].x, element[3 * k + 1][i] = value[k].y, element[3 * k + 2][i] = value[k].z;
+  }
 };
 
 // Never spans two draws.

@@ -1,5 +1,6 @@
 // Eq. 1-2 at every pixel, in world space, on the true surface.
 #include "golden/exact/exact.h"
+#include "golden/exact/perturb.h"
 #include "golden/exact/pipeline.h"
 #include "golden/texel/bump.h"
 
@@ -34,7 +35,8 @@ void shade_surface(const exact::DrawContext& context, const IdealScene& ideal, c
   fragment.n = point.N;
   const bool regular = length(cross(point.Pu, point.Pv)) > 0;
   if (context.words.bump && height == nullptr && regular) {
-    fragment.n = from_tangent_space(point, fragment.texture_n);
+    fragment.n =
+        from_tangent_space(point, exact::texel_normal(context.config, fragment.bump, context.texture->bump_scale));
   } else if (context.words.bump && regular) {
     const Vec2 slope = height->gradient(parameter.x, parameter.y);
     const Vec3 perturbed = perturbed_normal_blinn(point.Pu, point.Pv, slope.x, slope.y);
@@ -44,10 +46,10 @@ void shade_surface(const exact::DrawContext& context, const IdealScene& ideal, c
   fragment.l = towards(point.P, ideal.light, ideal.light_at_infinity);
   const Vec3 eye = towards(point.P, ideal.eye, ideal.eye_at_infinity);
   fragment.h = context.config.is(Lighting::kReflection) ? eye : normalize(fragment.l + eye);
-  fragment.interpolated_n = point.N;
+  fragment.frame[0] = point.N;
   fragment.interpolated_l = fragment.l;
   fragment.interpolated_h = fragment.h;
-  fragment.texture_n = fragment.perturbed_n = fragment.n;
+  fragment.perturbed_n = fragment.n;
   const exact::Lit lit =
       exact::light(context.config, context.words, fragment.n, fragment.l, fragment.h, dot(point.N, fragment.l));
   fragment.nl = lit.nl;

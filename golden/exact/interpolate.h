@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
+#include "golden/datapath/datapath.h"
 #include "golden/exact/scan.h"
 #include "golden/triangle/level_of_detail.h"
 #include "golden/vector.h"
@@ -38,7 +40,8 @@ class Barycentric {
 
 // Interpolated components; u, v are u*q, v*q with `perspective`.
 struct Interpolated {
-  Vec3 n, l, h, a, b, c;
+  FrameVectors frame;
+  Vec3 l, h;
   double u = 0, v = 0, q = 1, lod = 0, z = 0;
 };
 
@@ -51,10 +54,9 @@ inline double level(double rho_squared, double lowest, double highest) {
 class Attributes {
  public:
   Attributes(const Shape& config, const Corners& corners, const DrawWords& draw) {
-    n_ = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
+    frame_ = frame_corners(config, corners, draw);
     l_ = vector_corners(config, corners, &ScreenVertex::L, config.normalizer_l);
     h_ = vector_corners(config, corners, &ScreenVertex::H, config.third_normalizer);
-    if (config.frame_unbounded != 0) cross_ = cross_corners(config, corners, draw);
     for (std::size_t i = 0; i < 3; ++i) z_[i] = depth_in_format(config, corners.v[i]->z);
     if (!draw.textured) return;
     const TextureCorners texture = texture_corners(config, corners, draw);
@@ -70,14 +72,15 @@ class Attributes {
   }
 
   Interpolated at(const Weights& weights) const {
-    return {weights.of(n_),       weights.of(l_),       weights.of(h_), weights.of(cross_.a),
-            weights.of(cross_.b), weights.of(cross_.c), weights.of(u_), weights.of(v_),
-            weights.of(q_),       weights.of(lod_),     weights.of(z_)};
+    FrameVectors frame{};
+    for (std::size_t i = 0; i < frame_.size(); ++i) frame[i] = weights.of(frame_[i]);
+    return {frame,          weights.of(l_), weights.of(h_),   weights.of(u_),
+            weights.of(v_), weights.of(q_), weights.of(lod_), weights.of(z_)};
   }
 
  private:
-  std::array<Vec3, 3> n_, l_, h_;
-  CrossCorners cross_;
+  std::vector<std::array<Vec3, 3>> frame_;
+  std::array<Vec3, 3> l_, h_;
   std::array<double, 3> u_{}, v_{}, q_{1, 1, 1}, lod_{}, z_{};
 };
 

@@ -1,22 +1,28 @@
-// Twin of the stage `perturb`: the multiplexer of [Peercy97 fig. 3], or the displacement of fig. 2.
+// Twin of the stage `perturb`: the datapath's own, over the fragments of a batch.
 #pragma once
 
+#include <type_traits>
+
+#include "golden/datapath/datapaths.h"
 #include "golden/exact/fragments.h"
 #include "golden/triangle/packet.h"
-#include "golden/vector.h"
 
 namespace wrinkle::exact {
 
-// N' = A - fu B - fv C; A = Pu x Pv, B = Pv x N, C = N x Pu [Peercy97 eq. 1-2].
-inline Vec3 displace(const DrawWords& draw, Vec3 a, Vec3 b, Vec3 c, Vec2 gradient) {
-  return draw.bump ? a - gradient.x * b - gradient.y * c : a;
+inline void perturb(const Shape& config, const DrawWords& draw, Fragments& batch) {
+  with_datapath(config, [&](const auto& said) {
+    using Kind = std::decay_t<decltype(said)>;
+    if constexpr (Kind::kPerturbs) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
+        batch.perturbed_n.set(i, Kind::exact(draw.bump, batch.frame[i], batch.bump[i]));
+    }
+  });
 }
 
-// The perturbed normal of fragment i, by the datapath of the configuration.
-inline Vec3 perturb(const Shape& config, const DrawWords& draw, const Fragments& batch, std::size_t i) {
-  if (config.frame_unbounded != 0)
-    return displace(draw, batch.interpolated_a[i], batch.interpolated_b[i], batch.interpolated_c[i], batch.gradient[i]);
-  return draw.bump ? batch.texture_n[i] : batch.interpolated_n[i];
+// The normal in tangent space that a bump map stands for.
+inline Vec3 texel_normal(const Shape& config, const BumpComponents& bump, double scale) {
+  return with_datapath(config,
+                       [&](const auto& said) { return std::decay_t<decltype(said)>::texel_normal(bump, scale); });
 }
 
 }  // namespace wrinkle::exact

@@ -45,12 +45,9 @@ void Interpolator::put(const DrawContext& draw, int x, int y, std::size_t i, Fra
   batch.y[i] = y;
   batch.triangle[i] = triangle_->id;
   const Interpolated at = attributes_->at(barycentric_.at(x, y));
-  batch.interpolated_n.set(i, at.n);
+  batch.frame.set(i, at.frame);
   batch.interpolated_l.set(i, at.l);
   batch.interpolated_h.set(i, at.h);
-  batch.interpolated_a.set(i, at.a);
-  batch.interpolated_b.set(i, at.b);
-  batch.interpolated_c.set(i, at.c);
   batch.q.set(i, at.q);
   batch.lod.set(i, at.lod);
   batch.z.set(i, at.z);
@@ -71,19 +68,12 @@ void texture(const DrawContext& draw, const ExactTexture* texels, Fragments& bat
   if (texels == nullptr) return;
   for_each(batch, [&](std::size_t i) {
     const Sample texel = sample(draw.config, draw.words, *texels, {batch.u[i], batch.v[i]}, batch.lod[i]);
-    batch.texture_n.set(i, {texel[0], texel[1], texel[2]});
-    if (draw.config.frame_unbounded != 0) {
-      batch.gradient.set(i, {texel[0], texel[1]});
-      // Along the normal (-fu, -fv, 1), where u and v are lengths; the third component has the scale of the others.
-      batch.texture_n.set(i, {-texel[0], -texel[1], texel[2]});
-    }
-    if (draw.config.decal != 0) batch.decal.set(i, {texel[3], texel[4], texel[5]});
+    batch.bump.set(i, texel.bump);
+    if (draw.config.decal != 0) batch.decal.set(i, {texel.colour[0], texel.colour[1], texel.colour[2]});
   });
 }
 
-void perturb(const DrawContext& draw, Fragments& batch) {
-  for_each(batch, [&](std::size_t i) { batch.perturbed_n.set(i, perturb(draw.config, draw.words, batch, i)); });
-}
+void perturb(const DrawContext& draw, Fragments& batch) { perturb(draw.config, draw.words, batch); }
 
 void normalize(const DrawContext& draw, Fragments& batch) {
   const Shape& config = draw.config;

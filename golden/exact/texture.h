@@ -6,14 +6,18 @@
 #include <cstdint>
 
 #include "golden/config/config.h"
+#include "golden/datapath/datapath.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/packet.h"
 #include "golden/vector.h"
 
 namespace wrinkle::exact {
 
-// Normal in 0 to 2 (or fu, fv in 0 and 1), decal in 3 to 5 where it is configured, as in ExactTexture.
-using Sample = std::array<double, 6>;
+// What the configuration has of a texel, filtered.
+struct Sample {
+  BumpComponents bump{};
+  std::array<double, 3> colour{};
+};
 
 inline std::int64_t wrap_texel(int wrap, std::int64_t i, std::int64_t size) {
   switch (static_cast<Wrap>(wrap)) {
@@ -52,10 +56,12 @@ inline void sample_level(const Shape& config, const DrawWords& draw, const Exact
   const Tap x = tap(config, draw.wrap_u, uv.x, texture.width(level));
   const Tap y = tap(config, draw.wrap_v, uv.y, texture.height(level));
   const auto& texels = texture.levels[static_cast<std::size_t>(level)];
-  const std::size_t used = config.decal != 0 ? 6 : 3;
+  const auto components = static_cast<std::size_t>(config.bump_components);
   const auto add = [&](std::int64_t i, std::int64_t j, double share) {
     const auto& texel = texels[static_cast<std::size_t>(j * texture.width(level) + i)];
-    for (std::size_t k = 0; k < used; ++k) sample[k] += share * static_cast<double>(texel[k]);
+    for (std::size_t k = 0; k < components; ++k) sample.bump[k] += share * static_cast<double>(texel.bump[k]);
+    if (config.decal == 0) return;
+    for (std::size_t k = 0; k < 3; ++k) sample.colour[k] += share * static_cast<double>(texel.colour[k]);
   };
   add(x.first, y.first, weight * (1 - x.fraction) * (1 - y.fraction));
   add(x.second, y.first, weight * x.fraction * (1 - y.fraction));

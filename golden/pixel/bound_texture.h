@@ -11,16 +11,27 @@
 namespace wrinkle {
 
 inline constexpr std::size_t kLevels = 16;
+// Components of a texel in one word of 32 bits.
+inline constexpr int kPlaneComponents = 3;
 
 struct BoundTexture {
-  // Texels (x, y) and (x, y + 1) of a level are [2 i] and [2 i + 1], i = offset + y * stride + x: in `low` the first
-  // components, the bump map (a normal, or fu and fv) or else the decal; in `high` a decal that follows.
+  // Texels (x, y) and (x, y + 1) of a level are [2 i] and [2 i + 1], i = offset + y * stride + x, of every plane.
   // repeat: x in [0, W]; mirror: [0, 2 W]; clamp: [0, W + 1], shifted by one, so that 0 is left of the texture; y
   // likewise, less the last.
-  std::vector<std::uint32_t> low, high;
+  std::vector<std::vector<std::uint32_t>> planes;
   std::array<std::int32_t, kLevels> offset{}, stride{};
+  int bump_components = 0;
+
+  // The plane that component `first` begins: the bump map fills whole planes, and a base colour begins one.
+  const std::vector<std::uint32_t>& plane_of(int first) const {
+    const bool is_bump = first < bump_components;
+    const int before = is_bump ? first : first - bump_components;
+    const int bump_planes = (bump_components + kPlaneComponents - 1) / kPlaneComponents;
+    return planes[static_cast<std::size_t>(before / kPlaneComponents + (is_bump ? 0 : bump_planes))];
+  }
 };
 
-BoundTexture bind_texture(const Texture& texture, Wrap wrap_u, Wrap wrap_v);
+// The first `bump_components` of a texel are the bump map.
+BoundTexture bind_texture(const Texture& texture, int bump_components, Wrap wrap_u, Wrap wrap_v);
 
 }  // namespace wrinkle

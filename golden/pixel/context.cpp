@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "golden/config/values.h"
 #include "golden/pixel/compact_geometry.h"
 
 namespace wrinkle {
@@ -30,14 +31,29 @@ void fill(const Context& context, Tables<Int>& tables) {
   }
 }
 
+// The planes of a packet in their order, which is that of the values of `interpolate`.
+std::vector<Plane> planes_of(const Shape& config) {
+  std::vector<Plane> planes;
+  const std::vector<Value> list = values(config);
+  const std::vector<ComponentFormat> formats = component_formats(config);
+  for (std::size_t v = 0; v < list.size(); ++v) {
+    if (list[v].stage != "interpolate") continue;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(list[v].elements) && planes.size() < formats.size(); ++k) {
+      if (list[v].name == "lod" && config.lod_held != 0) break;
+      const ComponentFormat& format = formats[planes.size()];
+      planes.push_back(
+          {format.component, v, k, format.width, format.is_constant ? 0 : config.guard_bits, format.is_signed});
+    }
+  }
+  return planes;
+}
+
 }  // namespace
 
 Context make_context(const Shape& config) {
   Context context;
   context.config = config;
-  for (const ComponentFormat& format : component_formats(config))
-    context.planes.push_back(
-        {format.component, format.width, format.is_constant ? 0 : config.guard_bits, format.is_signed});
+  context.planes = planes_of(config);
   context.rsqrt = rsqrt_geometry(config.unit_bits);
   context.reciprocal = {config.q_bits, config.reciprocal_bits};
   fill(context, context.narrow);

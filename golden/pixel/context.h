@@ -40,9 +40,10 @@ struct Constants {
   const Int *reciprocal_base, *reciprocal_slope, *level_offset, *level_stride;
 };
 
-// One interpolated component and its place in a lane.
+// One interpolated component, and which element of which value it is.
 struct Plane {
   Component component;
+  std::size_t value, element;
   int width;  // without guard bits
   int guard_bits;
   bool is_signed;

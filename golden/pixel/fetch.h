@@ -12,8 +12,7 @@ namespace wrinkle {
 // Per fragment: where its upper left texel lies, and the weights of the sample.
 template <class Int>
 struct TexelAddresses {
-  using Column = typename Batch<Int>::Column;
-  alignas(64) Column position, weight_u, weight_v;
+  Column<Int> position, weight_u, weight_v;
 };
 
 // The four texels of each sample: upper left, lower left, upper right, lower right.

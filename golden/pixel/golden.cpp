@@ -12,10 +12,10 @@ namespace {
 
 // Gathers the spans of many rows and triangles into batches.
 template <class Int>
-class Gatherer {
+class BatchBuilder {
  public:
   using Hand = std::function<void(const Batch<Int>&)>;
-  Gatherer(Lanes lanes, const Context& context, const Hand& hand) : lanes_(lanes), context_(context), hand_(hand) {}
+  BatchBuilder(Lanes lanes, const Context& context, const Hand& hand) : lanes_(lanes), context_(context), hand_(hand) {}
 
   void add(const TriangleWords& triangle, std::uint32_t packet) {
     RowEngine<Int> rows(context_, triangle);
@@ -64,7 +64,7 @@ class Gatherer {
   Lanes lanes_;
   const Context& context_;
   const Hand& hand_;
-  std::unique_ptr<Batch<Int>> batch_ = std::make_unique<Batch<Int>>();
+  std::unique_ptr<Batch<Int>> batch_ = std::make_unique<Batch<Int>>(context_.config);
   std::unique_ptr<Spans<Int>> spans_ = std::make_unique<Spans<Int>>();
 };
 
@@ -81,15 +81,15 @@ struct Golden::State {
     if (!draw.textured || !context.config.textured) return nullptr;
     auto& copy = bound[{draw.texture, draw.wrap_u, draw.wrap_v}];
     if (copy == nullptr)
-      copy =
-          std::make_shared<BoundTexture>(bind_texture(textures.at(static_cast<std::size_t>(draw.texture)),
-                                                      static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v)));
+      copy = std::make_shared<BoundTexture>(bind_texture(textures.at(static_cast<std::size_t>(draw.texture)),
+                                                         context.config.bump_components, static_cast<Wrap>(draw.wrap_u),
+                                                         static_cast<Wrap>(draw.wrap_v)));
     return copy;
   }
 
   template <class Int>
   void draw(std::span<const std::uint64_t> words, const std::function<void(const Batch<Int>&)>& hand) {
-    Gatherer<Int> gatherer(lanes, context, hand);
+    BatchBuilder<Int> builder(lanes, context, hand);
     const auto triangle_words = static_cast<std::size_t>(triangle_word_count(context.config));
     const auto draw_words = static_cast<std::size_t>(context.config.draw_words);
     std::uint32_t packet = 0;
@@ -98,15 +98,15 @@ struct Golden::State {
       const std::size_t size = is_triangle ? triangle_words : draw_words;
       if (words.size() < size) throw std::invalid_argument("the last packet is cut short");
       if (is_triangle) {
-        gatherer.add(decode_triangle(context.config, words.first(size)), packet++);
+        builder.add(decode_triangle(context.config, words.first(size)), packet++);
       } else {
-        gatherer.flush();
+        builder.flush();
         const DrawWords state = decode_draw(context.config, words.first(size));
         set_draw(context, state, texture_of(state));
       }
       words = words.subspan(size);
     }
-    gatherer.flush();
+    builder.flush();
   }
 };
 

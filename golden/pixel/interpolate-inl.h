@@ -15,50 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
 
-template <class Int>
-Int* plane_column(Batch<Int>& batch, Component component) {
-  const auto vector = [component](auto& columns, Component x) {
-    return columns[static_cast<std::size_t>(component) - static_cast<std::size_t>(x)].data();
-  };
-  switch (component) {
-    case Component::kNx:
-    case Component::kNy:
-    case Component::kNz:
-      return vector(batch.interpolate_n, Component::kNx);
-    case Component::kLx:
-    case Component::kLy:
-    case Component::kLz:
-      return vector(batch.interpolate_l, Component::kLx);
-    case Component::kHx:
-    case Component::kHy:
-    case Component::kHz:
-      return vector(batch.interpolate_h, Component::kHx);
-    case Component::kAx:
-    case Component::kAy:
-    case Component::kAz:
-      return vector(batch.interpolate_a, Component::kAx);
-    case Component::kBx:
-    case Component::kBy:
-    case Component::kBz:
-      return vector(batch.interpolate_b, Component::kBx);
-    case Component::kCx:
-    case Component::kCy:
-    case Component::kCz:
-      return vector(batch.interpolate_c, Component::kCx);
-    case Component::kU:
-      return batch.interpolate_u[0].data();
-    case Component::kV:
-      return batch.interpolate_v[0].data();
-    case Component::kQ:
-      return batch.interpolate_q[0].data();
-    case Component::kLod:
-      return batch.interpolate_lod[0].data();
-    case Component::kZ:
-      return batch.interpolate_z[0].data();
-  }
-  return nullptr;
-}
-
 // One component over all spans. A vector may run over the end of its span: the next one writes there later.
 template <bool kIsSigned, class L>
 void interpolate_plane(const L& l, const Plane& plane, const Spans<typename L::Int>& spans, typename L::Int* out) {
@@ -86,10 +42,10 @@ void interpolate_plane(const L& l, const Plane& plane, const Spans<typename L::I
 template <class L>
 void interpolate(const L& l, const Context& c, const Spans<typename L::Int>& spans, Batch<typename L::Int>& batch) {
   for (const Plane& plane : c.planes) {
-    auto* out = plane_column(batch, plane.component);
+    auto* out = batch.value[plane.value][plane.element].data();
     plane.is_signed ? interpolate_plane<true>(l, plane, spans, out) : interpolate_plane<false>(l, plane, spans, out);
   }
-  if (!c.config.textured || c.config.perspective != 0) return;
+  if (c.config.lod_held == 0) return;
   auto* lod = batch.interpolate_lod[0].data();
   for (int s = 0; s < spans.count; ++s) {
     const auto& span = spans.span[static_cast<std::size_t>(s)];

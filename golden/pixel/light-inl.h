@@ -15,9 +15,10 @@ namespace wrinkle {
 namespace HWY_NAMESPACE {
 
 // Exact, 2F fraction bits.
-template <class L, class Columns>
-HWY_INLINE typename L::V dot_product(const L& l, const Columns& a, const Columns& b, std::size_t i) {
-  const auto element = [&](const Columns& v, std::size_t k) HWY_ATTR { return l.load(&v[k][i]); };
+template <class L>
+HWY_INLINE typename L::V dot_product(const L& l, Columns<typename L::Int> a, Columns<typename L::Int> b,
+                                     std::size_t i) {
+  const auto element = [&](Columns<typename L::Int> v, std::size_t k) HWY_ATTR { return l.load(&v[k][i]); };
   return l.dot(element(a, 0), element(a, 1), element(a, 2), element(b, 0), element(b, 1), element(b, 2));
 }
 
@@ -30,7 +31,7 @@ HWY_INLINE typename L::V clamped(const L& l, const Shape& c, typename L::V cosin
 
 // The cosine of two vectors that are not of unit length: their mantissas' dot product by the product of their scales.
 template <class L, class Batch>
-HWY_INLINE typename L::V scaled_cosine(const L& l, const Shape& c, const Batch& batch, bool is_h, std::size_t i) {
+HWY_INLINE typename L::V scaled_dot(const L& l, const Shape& c, const Batch& batch, bool is_h, std::size_t i) {
   const auto dot = dot_product(l, batch.normalize_n, is_h ? batch.normalize_h : batch.normalize_l, i);
   const int bits = c.dot_bits;
   const auto d = round_half_up(l, l.max(dot, l.set(0)), 2 * c.unit_bits - bits);
@@ -81,13 +82,13 @@ void light(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const int df = c.config.dot_bits;
   for (int first = 0; first < batch.count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
-    const auto nl = after ? scaled_cosine(l, c.config, batch, false, i)
+    const auto nl = after ? scaled_dot(l, c.config, batch, false, i)
                           : clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_l, i));
     const auto factor = shadow ? shadow_factor(l, c, l.load(&batch.normalize_l[2][i]), nl) : l.set(1 << df);
     l.store(nl, &batch.light_nl[0][i]);
     l.store(shadow ? round_half_up(l, l.mul_half(nl, factor), df) : nl, &batch.light_diffuse[0][i]);
     if (!c.config.glossy) continue;
-    const auto nh = after        ? scaled_cosine(l, c.config, batch, true, i)
+    const auto nh = after        ? scaled_dot(l, c.config, batch, true, i)
                     : reflection ? reflected(l, c.config, batch, i)
                                  : clamped(l, c.config, dot_product(l, batch.normalize_n, batch.normalize_h, i));
     const auto p = power(l, c, nh);

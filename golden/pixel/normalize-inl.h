@@ -114,9 +114,9 @@ HWY_INLINE Triple<L> normalize_none(const L& l, UnitShape unit, const Triple<L>&
 }
 
 // The vectors of the lanes from fragment i on. `zero` collects the fragments whose vector has no direction.
-template <class L, class Columns, class Normalize>
-HWY_INLINE void normalize_at(const L& l, const Columns& in, Columns& out, typename Columns::value_type& zero,
-                             std::size_t i, const Normalize& to_unit) {
+template <class L, class Normalize>
+HWY_INLINE void normalize_at(const L& l, Columns<typename L::Int> in, Columns<typename L::Int> out,
+                             Column<typename L::Int>& zero, std::size_t i, const Normalize& to_unit) {
   const Triple<L> v{l.load(&in[0][i]), l.load(&in[1][i]), l.load(&in[2][i])};
   const Triple<L> n = to_unit(v);
   l.store(n.x, &out[0][i]);
@@ -127,16 +127,17 @@ HWY_INLINE void normalize_at(const L& l, const Columns& in, Columns& out, typena
 }
 
 // One unit over the batch.
-template <class L, class Columns, class Normalize>
-HWY_INLINE void normalize_columns(const L& l, const Columns& in, Columns& out, typename Columns::value_type& zero,
-                                  int count, const Normalize& to_unit) {
+template <class L, class Normalize>
+HWY_INLINE void normalize_columns(const L& l, Columns<typename L::Int> in, Columns<typename L::Int> out,
+                                  Column<typename L::Int>& zero, int count, const Normalize& to_unit) {
   for (int first = 0; first < count; first += l.size())
     normalize_at(l, in, out, zero, static_cast<std::size_t>(first), to_unit);
 }
 
-template <Normalizer kKind, class L, class Columns>
-void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, UnitShape unit, const Columns& in,
-                               Columns& out, typename Columns::value_type& zero, int count) {
+template <Normalizer kKind, class L>
+void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, UnitShape unit,
+                               Columns<typename L::Int> in, Columns<typename L::Int> out, Column<typename L::Int>& zero,
+                               int count) {
   const CompactGeometry g = compact_geometry(kKind, unit.unit_bits, unit.input_bits);
   const auto* table = kKind == Normalizer::kLite ? c.lite_rsqrt_table : c.compact_rsqrt_table;
   if ((std::size_t{2} << g.rsqrt.segment_bits) <= kSmallTable)
@@ -148,9 +149,9 @@ void normalize_columns_compact(const L& l, const Constants<typename L::Int>& c, 
 }
 
 // The kind of unit is chosen outside of its loop.
-template <class L, class Columns>
-void normalize_unit(const L& l, const Context& context, int normalizer, int input_bits, const Columns& in, Columns& out,
-                    typename Columns::value_type& zero, int count) {
+template <class L>
+void normalize_unit(const L& l, const Context& context, int normalizer, int input_bits, Columns<typename L::Int> in,
+                    Columns<typename L::Int> out, Column<typename L::Int>& zero, int count) {
   const auto c = context.constants<typename L::Int>();
   const UnitShape unit{input_bits, c.config.unit_bits};
   switch (static_cast<Normalizer>(normalizer)) {
@@ -176,9 +177,10 @@ void normalize_unit(const L& l, const Context& context, int normalizer, int inpu
 }
 
 // The same of a vector that is normalized after the dot products.
-template <class L, class Columns>
-void defer_unit(const L& l, const Context& context, int input_bits, const Columns& in, Columns& out,
-                typename Columns::value_type& scale, typename Columns::value_type& zero, int count) {
+template <class L>
+void defer_unit(const L& l, const Context& context, int input_bits, Columns<typename L::Int> in,
+                Columns<typename L::Int> out, Column<typename L::Int>& scale, Column<typename L::Int>& zero,
+                int count) {
   const auto c = context.constants<typename L::Int>();
   const UnitShape unit{input_bits, c.config.unit_bits};
   const bool is_small = (std::size_t{2} << c.rsqrt.segment_bits) <= kSmallTable;
@@ -194,8 +196,8 @@ void defer_unit(const L& l, const Context& context, int input_bits, const Column
   }
 }
 
-template <class L, class Columns>
-void fill_constant(const L& l, const std::array<int, 3>& v, Columns& out, int count) {
+template <class L>
+void fill_constant(const L& l, const std::array<int, 3>& v, Columns<typename L::Int> out, int count) {
   for (std::size_t k = 0; k < 3; ++k)
     for (int i = 0; i < count; i += l.size()) l.store(l.set(v[k]), &out[k][static_cast<std::size_t>(i)]);
 }
@@ -204,21 +206,22 @@ void fill_constant(const L& l, const std::array<int, 3>& v, Columns& out, int co
 // there is no highlight to be missed.
 template <class L>
 void normalize_halfangle(const L& l, const Context& c, Batch<typename L::Int>& batch) {
-  alignas(64) std::array<typename Batch<typename L::Int>::Column, 3> sum;
-  alignas(64) typename Batch<typename L::Int>::Column ignored{};
+  std::array<Column<typename L::Int>, 3> sum;
+  Column<typename L::Int> ignored{};
   for (std::size_t k = 0; k < 3; ++k)
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);
       l.store(l.add(l.load(&batch.normalize_l[k][i]), l.load(&batch.normalize_h[k][i])), &sum[k][i]);
     }
-  normalize_unit(l, c, c.config.normalizer_h, c.config.unit_bits + 1, sum, batch.normalize_h, ignored, batch.count);
+  normalize_unit(l, c, c.config.normalizer_h, c.config.unit_bits + 1, Columns<typename L::Int>(sum), batch.normalize_h,
+                 ignored, batch.count);
 }
 
 template <class L>
 void defer(const L& l, const Context& c, Batch<typename L::Int>& batch) {
   const Shape& config = c.config;
   auto& zero = batch.normalize_zero[0];
-  auto& scale = batch.normalize_scale;
+  const auto scale = batch.normalize_scale;
   const int count = batch.count;
   defer_unit(l, c, config.normal_input_bits, batch.perturb_n, batch.normalize_n, scale[0], zero, count);
   defer_unit(l, c, config.vector_bits, batch.interpolate_l, batch.normalize_l, scale[1], zero, count);

@@ -38,8 +38,8 @@ void output(const L& l, const Context& context, Batch<typename L::Int>& batch) {
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);
       const auto specular = c.config.glossy ? l.load(&batch.light_specular[0][i]) : l.set(0);
-      l.store(shade_channel(l, c, k, l.load(&batch.light_diffuse[0][i]), specular, &batch.texture_decal[k][i]),
-              &batch.output_colour[k][i]);
+      const auto* decal = c.config.decal != 0 ? &batch.texture_decal[k][i] : nullptr;
+      l.store(shade_channel(l, c, k, l.load(&batch.light_diffuse[0][i]), specular, decal), &batch.output_colour[k][i]);
     }
   }
 }

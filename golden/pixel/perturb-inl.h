@@ -1,4 +1,4 @@
-// perturb: the multiplexer of [Peercy97 fig. 3], or the two scalings and the sum of fig. 2.
+// perturb: N' of the datapath, which is the one stage that a datapath has of its own (golden/datapath).
 #if defined(GOLDEN_PIXEL_PERTURB_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GOLDEN_PIXEL_PERTURB_INL_H_
 #undef GOLDEN_PIXEL_PERTURB_INL_H_
@@ -6,6 +6,9 @@
 #define GOLDEN_PIXEL_PERTURB_INL_H_
 #endif
 
+#include <type_traits>
+
+#include "golden/datapath/datapaths.h"
 #include "golden/pixel/context.h"
 #include "golden/pixel/lanes-inl.h"
 #include "golden/pixel/pixel.h"
@@ -14,40 +17,47 @@ HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
 
+// What perturb_lanes() of a datapath reads: the vectors in the place of N, the components of the bump map, and whether
+// the draw has one, for the fragments of the lanes from i on.
 template <class L>
-void select_normal(const L& l, const Context& c, Batch<typename L::Int>& batch) {
-  const auto& n = c.config.bump_components != 0 && c.draw.bump ? batch.texture_n : batch.interpolate_n;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (int i = 0; i < batch.count; i += l.size())
-      l.store(l.load(&n[k][static_cast<std::size_t>(i)]), &batch.perturb_n[k][static_cast<std::size_t>(i)]);
-}
+struct PerturbInputs {
+  Columns<typename L::Int> frame, bump;
+  bool is_bumped;
+  std::size_t i;
 
-// N' = A - fu B - fv C [Peercy97 eq. 1-2].
-template <class L>
-void displace_normal(const L& l, const Context& context, Batch<typename L::Int>& batch) {
-  const auto c = context.constants<typename L::Int>();
-  const int gb = c.config.gradient_bits;
-  const typename L::Int limit = typename L::Int{4} << c.config.wide_bits;
+  HWY_INLINE typename L::V frame_at(const L& l, std::size_t k) const { return l.load(&frame[k][i]); }
+  HWY_INLINE typename L::V bump_at(const L& l, std::size_t k) const { return l.load(&bump[k][i]); }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace wrinkle
+HWY_AFTER_NAMESPACE();
+
+#include "golden/datapath/lanes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace wrinkle {
+namespace HWY_NAMESPACE {
+
+// The datapath's own perturb_lanes(), over the batch.
+template <class L, class Kind>
+void perturb_batch(const L& l, const Kind& said, bool is_bumped, Batch<typename L::Int>& batch) {
+  const Kind datapath = said;
+  const auto frame = batch.interpolate_frame, bump = batch.texture_bump, n = batch.perturb_n;
   for (int first = 0; first < batch.count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
-    const auto slope = [&](std::size_t k)
-                           HWY_ATTR { return c.draw.bump ? l.load(&batch.texture_gradient[k][i]) : l.set(0); };
-    const auto fu = slope(0), fv = slope(1);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto along_u = l.mul(l.load(&batch.interpolate_b[k][i]), fu);
-      const auto along_v = l.mul(l.load(&batch.interpolate_c[k][i]), fv);
-      const auto n = l.sub(l.sub(l.shl(l.load(&batch.interpolate_a[k][i]), gb), along_u), along_v);
-      l.store(saturate(l, round_half_up(l, n, gb), -limit, limit - 1), &batch.perturb_n[k][i]);
-    }
+    const Triple<L> v = perturb_lanes(l, datapath, PerturbInputs<L>{frame, bump, is_bumped, i});
+    l.store(v.x, &n[0][i]);
+    l.store(v.y, &n[1][i]);
+    l.store(v.z, &n[2][i]);
   }
 }
 
 template <class L>
 void perturb(const L& l, const Context& c, Batch<typename L::Int>& batch) {
-  if (c.config.frame_vectors > 1)
-    displace_normal(l, c, batch);
-  else if (c.config.normal_width != 0)
-    select_normal(l, c, batch);
+  with_datapath(c.config, [&](const auto& datapath) {
+    if constexpr (std::decay_t<decltype(datapath)>::kPerturbs) perturb_batch(l, datapath, c.draw.bump, batch);
+  });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -9,49 +9,56 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/config/config.h"
+#include "golden/config/values.h"
 #include "golden/texel/texture.h"
 #include "golden/triangle/packet.h"
 
 namespace wrinkle {
 
-// Fragments in structure-of-arrays form, small enough for the first-level cache. A batch never spans two draws.
+// Fragments of a batch, which never spans two draws.
 inline constexpr int kBatch = 256;
 // A vector that begins inside a column may run over its end by so much.
 inline constexpr int kBatchPadding = 16;
 
-// STAGE_NAME[element][fragment] for every value of components.def, as signed integers in that value's format.
-// Int is std::int32_t or std::int64_t, as lane_bits() says. Values and elements a configuration lacks are 0.
+// One element of a value, by fragment.
+template <class Int>
+struct alignas(64) Column : std::array<Int, kBatch + kBatchPadding> {};
+// The elements of a value.
+template <class Int>
+using Columns = std::span<Column<Int>>;
+
+// Fragments in structure-of-arrays form: STAGE_NAME[element][fragment] for every value of values.def, as signed
+// integers in that value's format; no elements where the configuration lacks the value. The vectors in the place of N
+// lie in interpolate_frame, the first in elements 0 to 2. Int is std::int32_t or std::int64_t, as lane_bits() says.
 template <class Int>
 struct Batch {
-  using Column = std::array<Int, kBatch + kBatchPadding>;
+  explicit Batch(const Shape& config);
+  Batch(const Batch&) = delete;
+  Batch& operator=(const Batch&) = delete;
+
   int count = 0;
   std::array<std::uint32_t, kBatch> packet;  // index of the triangle packet, counted over the stream
-#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) \
-  alignas(64) std::array<Column, 3> stage##_##name;
-#include "golden/pixel/components.def"
-#undef WRINKLE_VALUE
-};
+#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present, kind) \
+  Columns<Int> stage##_##name;
+#define WRINKLE_FRAME(stage, name) Columns<Int> stage##_##name;
+#define WRINKLE_BUMP(stage, name) Columns<Int> stage##_##name;
+#include "golden/values.def"
+  std::vector<Columns<Int>> value;  // of each value of values(config)
 
-// What components.def says of one value, for a configuration.
-struct Value {
-  std::string_view stage, name;
-  int elements, width, fraction_bits;
-  bool is_signed, present;
-  std::string_view wire;  // of wrinkle_core, on which it lies from `lowest_bit` on, element 0 first
-  int lowest_bit;
+ private:
+  std::vector<Column<Int>> columns_;
 };
-// All values in pipeline order, those the configuration lacks included (present = false).
-std::vector<Value> values(const Shape& config);
 
 // One fragment's values: value_of[i][element], i as in values(). The common currency of golden, RTL taps and printers.
-using FragmentValues = std::vector<std::array<std::int64_t, 3>>;
+using FragmentValues = std::vector<std::array<std::int64_t, kMaxElements>>;
 template <class Int>
 void extract(const Batch<Int>& batch, int index, FragmentValues& out);
 
 // Element of a value for all fragments of a batch; `value` as in values().
 template <class Int>
-const Int* column(const Batch<Int>& batch, std::size_t value, std::size_t element);
+const Int* column(const Batch<Int>& batch, std::size_t value, std::size_t element) {
+  return batch.value[value][element].data();
+}
 
 // What leaves the hardware.
 struct Fragment {

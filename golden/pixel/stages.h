@@ -8,7 +8,7 @@
 
 namespace wrinkle {
 
-// Runs `stages` over the fragments of the batch. What a stage reads must be there, in the format of components.def.
+// Runs `stages` over the fragments of the batch. What a stage reads must be there, in the format of values.def.
 // kSimd takes either width, where the configuration fits (lane_bits()); the scalar instances take the wide one.
 void run_stages(Lanes lanes, const Context& context, unsigned stages, const Spans<std::int32_t>& spans,
                 Batch<std::int32_t>& batch);

@@ -120,11 +120,11 @@ HWY_INLINE typename L::V filter_quad(const L& l, const Shape& c, const Quad<L>& 
 template <class Int>
 struct Samples {
   TexelAddresses<Int> a, b;
-  alignas(64) typename Batch<Int>::Column weight;
+  Column<Int> weight;
   TexelQuads quads_a, quads_b;
 };
 
-// Filters `components` (two or three): hand_on(component, fragment, f) takes each with D fraction bits.
+// Filters `components` (one to three): hand_on(component, fragment, f) takes each with D fraction bits.
 template <class L, class HandOn>
 HWY_INLINE void filter_any(const L& l, const Shape& c, int components, int count, const Samples<typename L::Int>& s,
                            const HandOn& hand_on) {
@@ -140,7 +140,7 @@ HWY_INLINE void filter_any(const L& l, const Shape& c, int components, int count
       hand_on(k, i, f);
     };
     component(std::integral_constant<int, 0>());
-    component(std::integral_constant<int, 1>());
+    if (components > 1) component(std::integral_constant<int, 1>());
     if (components > 2) component(std::integral_constant<int, 2>());
   }
 }
@@ -162,11 +162,12 @@ HWY_INLINE void filter_short(const L& l, const Shape& c, int components, int cou
       hand_on(k, i, l.weigh_twice16(f.upper, f.lower, g.upper, g.lower, weights, bits, lod_bits));
     };
     component(std::integral_constant<int, 0>());
-    component(std::integral_constant<int, 1>());
+    if (components > 1) component(std::integral_constant<int, 1>());
     if (components > 2) component(std::integral_constant<int, 2>());
   }
 }
 
+// `components` (one to three) that lie in one plane of the bound texture.
 template <class L, class HandOn>
 HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const std::vector<std::uint32_t>& texels,
                        int components, int count, Samples<typename L::Int>& s, const HandOn& hand_on) {
@@ -176,65 +177,66 @@ HWY_INLINE void sample(const L& l, const Constants<typename L::Int>& c, const st
                               : filter_any(l, c.config, components, count, s, hand_on);
 }
 
-// A draw without texels: normal and slopes 0, decal white.
-template <class L>
-void texture_absent(const L& l, const Constants<typename L::Int>& c, Batch<typename L::Int>& batch) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (int first = 0; first < batch.count; first += l.size()) {
-      const auto i = static_cast<std::size_t>(first);
-      if (c.config.bump_components == 3) l.store(l.set(0), &batch.texture_n[k][i]);
-      if (c.config.bump_components == 2) l.store(l.set(0), &batch.texture_gradient[k][i]);
-      if (c.config.decal != 0) l.store(l.set((1 << c.config.texel_bits) - 1), &batch.texture_decal[k][i]);
-    }
-  }
+// The components from `first` on, which begins a plane, counted from there.
+template <class L, class HandOn>
+HWY_INLINE void sample_all(const L& l, const Constants<typename L::Int>& c, const BoundTexture& texture, int first,
+                           int components, int count, Samples<typename L::Int>& s, const HandOn& hand_on) {
+  for (int done = 0; done < components; done += kPlaneComponents)
+    sample(l, c, texture.plane_of(first + done), std::min(components - done, kPlaneComponents), count, s,
+           [&](std::size_t k, std::size_t i, typename L::V f)
+               HWY_ATTR { hand_on(k + static_cast<std::size_t>(done), i, f); });
 }
 
-// fu, fv in s0.GB.
+// A draw without texels: bump map 0, decal white.
 template <class L>
-void texture_gradient(const L& l, const Constants<typename L::Int>& c, const std::vector<std::uint32_t>& texels,
-                      Samples<typename L::Int>& s, Batch<typename L::Int>& batch) {
+void texture_absent(const L& l, const Constants<typename L::Int>& c, Batch<typename L::Int>& batch) {
+  const auto fill = [&](auto& column, typename L::Int value) HWY_ATTR {
+    for (int i = 0; i < batch.count; i += l.size()) l.store(l.set(value), &column[static_cast<std::size_t>(i)]);
+  };
+  for (auto& column : batch.texture_bump) fill(column, 0);
+  for (auto& column : batch.texture_decal) fill(column, (1 << c.config.texel_bits) - 1);
+}
+
+// The bump map: code c stands for (2c - offset) 2^-T.
+template <class L>
+void texture_bump(const L& l, const Constants<typename L::Int>& c, const BoundTexture& texture,
+                  Samples<typename L::Int>& s, Batch<typename L::Int>& batch) {
   const int d = c.config.filter_fraction_bits;
-  const auto middle = l.shl(l.set(1 << (c.config.texel_bits - 1)), d);
-  const int shift = d + c.config.texel_bits - 1 - c.config.gradient_bits;
-  const typename L::Int limit = typename L::Int{1} << c.config.gradient_bits;
-  sample(l, c, texels, 2, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
-    const auto slope = round_half_up(l, l.sub(f, middle), shift);
-    l.store(saturate(l, slope, -limit, limit - 1), &batch.texture_gradient[k][i]);
-  });
+  const auto offset = l.shl(l.set(c.config.bump_offset), d);
+  const int shift = d + c.config.texel_bits - c.config.bump_fraction;
+  const bool saturates = c.config.bump_saturates != 0;
+  const typename L::Int limit = typename L::Int{1} << (c.config.bump_width - 1);
+  const auto out = batch.texture_bump;
+  sample_all(l, c, texture, 0, c.config.bump_components, batch.count, s,
+             [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
+               const auto value = round_half_up(l, l.sub(l.shl(f, 1), offset), shift);
+               l.store(saturates ? saturate(l, value, -limit, limit - 1) : value, &out[k][i]);
+             });
 }
 
 template <class L>
 void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
-  if (!c.config.textured) return;
+  if (c.config.textured == 0) return;
   if (!c.draw.textured) return texture_absent(l, c, batch);
-  const auto& u = c.config.perspective != 0 ? batch.perspective_u[0] : batch.interpolate_u[0];
-  const auto& v = c.config.perspective != 0 ? batch.perspective_v[0] : batch.interpolate_v[0];
+  const auto& u = c.config.divides != 0 ? batch.perspective_u[0] : batch.interpolate_u[0];
+  const auto& v = c.config.divides != 0 ? batch.perspective_v[0] : batch.interpolate_v[0];
+  const auto& lod = batch.interpolate_lod[0];
   Samples<typename L::Int> s;
   for (int first = 0; first < batch.count; first += l.size()) {
     const auto i = static_cast<std::size_t>(first);
-    const Levels<L> levels = mip_levels(l, c, l.load(&batch.interpolate_lod[0][i]));
+    const Levels<L> levels = mip_levels(l, c, l.load(&lod[i]));
     address(l, c, l.load(&u[i]), l.load(&v[i]), levels.a, s.a, i);
     if (c.config.trilinear) address(l, c, l.load(&u[i]), l.load(&v[i]), levels.b, s.b, i);
     l.store(levels.weight, &s.weight[i]);
   }
+  if (c.config.bump_components != 0) texture_bump(l, c, *context.texture, s, batch);
+  if (c.config.decal == 0) return;
   const int d = c.config.filter_fraction_bits;
-  if (c.config.bump_components == 2) texture_gradient(l, c, context.texture->low, s, batch);
-  if (c.config.bump_components == 3) {
-    const int one = (1 << c.config.texel_bits) - (c.config.decode == static_cast<int>(Decode::kRange) ? 1 : 0);
-    const auto bias = l.shl(l.set(one), d);
-    const int shift = d + c.config.texel_bits - c.config.vector_bits;
-    sample(l, c, context.texture->low, 3, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
-      // |n| is at most 2^(D+T): it needs no saturation.
-      l.store(round_half_up(l, l.sub(l.shl(f, 1), bias), shift), &batch.texture_n[k][i]);
-    });
-  }
-  if (c.config.decal != 0) {
-    const auto& texels = c.config.bump_components != 0 ? context.texture->high : context.texture->low;
-    sample(l, c, texels, 3, batch.count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
-      l.store(round_half_up(l, f, d), &batch.texture_decal[k][i]);
-    });
-  }
+  const auto out = batch.texture_decal;
+  sample_all(l, c, *context.texture, c.config.bump_components, 3, batch.count, s,
+             [&](std::size_t k, std::size_t i, typename L::V f)
+                 HWY_ATTR { l.store(round_half_up(l, f, d), &out[k][i]); });
 }
 
 }  // namespace HWY_NAMESPACE

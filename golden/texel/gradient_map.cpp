@@ -18,16 +18,16 @@ double largest_slope(const MipChain& slopes) {
 }
 
 // (fu, fv) of level 0 in x and y.
-GradientTexture from_slopes(const ExactTexture& base, Grid<Vec3> level0, int texel_bits) {
+ExactTexture from_slopes(const ExactTexture& base, Grid<Vec3> level0, int texel_bits) {
   const MipChain slopes = colour_mips(std::move(level0));
   const double largest = largest_slope(slopes), half = std::ldexp(1, texel_bits - 1);
-  GradientTexture result{base, largest > 0 ? largest * half / (half - 1) : 1};
+  ExactTexture result = base;
+  result.bump_scale = largest > 0 ? largest * half / (half - 1) : 1;
   for (std::size_t l = 0; l < base.levels.size(); ++l) {
     for (std::size_t i = 0; i < base.levels[l].size(); ++i) {
-      auto& texel = result.texture.levels[l][i];
-      texel[0] = static_cast<float>(slopes[l].samples[i].x / result.scale);
-      texel[1] = static_cast<float>(slopes[l].samples[i].y / result.scale);
-      texel[2] = static_cast<float>(1 / result.scale);
+      const Vec3 f = slopes[l].samples[i];
+      result.levels[l][i].bump = {static_cast<float>(f.x / result.bump_scale),
+                                  static_cast<float>(f.y / result.bump_scale)};
     }
   }
   return result;
@@ -35,7 +35,7 @@ GradientTexture from_slopes(const ExactTexture& base, Grid<Vec3> level0, int tex
 
 }  // namespace
 
-GradientTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits) {
+ExactTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits) {
   const Grid<Vec2> slopes = gradients(height);
   Grid<Vec3> level0(slopes.width, slopes.height);
   std::transform(slopes.samples.begin(), slopes.samples.end(), level0.samples.begin(), [](Vec2 f) {
@@ -44,10 +44,10 @@ GradientTexture gradient_texture(const ExactTexture& base, const Grid<double>& h
   return from_slopes(base, resample(level0, base.width(0), base.height(0)), texel_bits);
 }
 
-GradientTexture gradient_texture(const ExactTexture& base, int texel_bits) {
+ExactTexture gradient_texture(const ExactTexture& base, int texel_bits) {
   Grid<Vec3> level0(base.width(0), base.height(0));
-  std::transform(base.levels[0].begin(), base.levels[0].end(), level0.samples.begin(), [](const auto& texel) {
-    const Vec3 n{texel[0], texel[1], texel[2]};
+  std::transform(base.levels[0].begin(), base.levels[0].end(), level0.samples.begin(), [](const ExactTexel& texel) {
+    const Vec3 n{texel.bump[0], texel.bump[1], texel.bump[2]};
     const double up = std::max(n.z, length(n) / kSteepestSlope);
     return up > 0 ? Vec3{-n.x / up, -n.y / up, 0} : Vec3{};
   });

@@ -7,8 +7,7 @@
 namespace wrinkle {
 namespace {
 
-using Texel = std::array<float, 6>;
-constexpr Texel kFlat{0, 0, 1, 1, 1, 1};
+constexpr ExactTexel kFlat{{0, 0, 1}};
 
 int log2_of(int size) { return std::countr_zero(static_cast<unsigned>(size)); }
 
@@ -24,14 +23,38 @@ Grid<Vec3> level_of(const MipChain& chain, int width, int height) {
   return resample(chain.front(), width, height);
 }
 
-void put(std::vector<Texel>& level, const Grid<Vec3>& values, std::size_t first_component) {
+// Sets the first three components of a member of every texel.
+template <std::size_t n>
+void put(std::vector<ExactTexel>& level, const Grid<Vec3>& values, std::array<float, n> ExactTexel::*member) {
   for (std::size_t i = 0; i < level.size(); ++i) {
     const Vec3 v = values.samples[i];
-    level[i][first_component] = static_cast<float>(v.x);
-    level[i][first_component + 1] = static_cast<float>(v.y);
-    level[i][first_component + 2] = static_cast<float>(v.z);
+    auto& components = level[i].*member;
+    components[0] = static_cast<float>(v.x);
+    components[1] = static_cast<float>(v.y);
+    components[2] = static_cast<float>(v.z);
   }
 }
+
+// Fills the words of texels with codes, from the low bits upwards.
+class CodeWriter {
+ public:
+  CodeWriter(const Texture& texture, std::vector<std::uint64_t>& words)
+      : bits_(texture.component_bits), words_(words) {}
+
+  void next_texel() { used_ = 0; }
+  void put(std::uint64_t code) {
+    if (used_ == 0) words_.push_back(0);
+    words_.back() |= code << used_;
+    const int room = 64 - used_;
+    if (bits_ > room) words_.push_back(code >> room);
+    used_ = (used_ + bits_) % 64;
+  }
+
+ private:
+  int bits_;
+  std::vector<std::uint64_t>& words_;
+  int used_ = 0;  // bits of the last word; 0: it is full
+};
 
 }  // namespace
 
@@ -48,25 +71,17 @@ ExactTexture assemble(const MipChain& normals, const MipChain& decal) {
   const int levels = 1 + std::max(texture.log2_width, texture.log2_height);
   for (int l = 0; l < levels; ++l) {
     const int w = texture.width(l), h = texture.height(l);
-    std::vector<Texel> level(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kFlat);
-    if (!normals.empty()) put(level, level_of(normals, w, h), 0);
-    if (!decal.empty()) put(level, level_of(decal, w, h), 3);
+    std::vector<ExactTexel> level(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kFlat);
+    if (!normals.empty()) put(level, level_of(normals, w, h), &ExactTexel::bump);
+    if (!decal.empty()) put(level, level_of(decal, w, h), &ExactTexel::colour);
     texture.levels.push_back(std::move(level));
   }
   return texture;
 }
 
-std::uint64_t normal_code(double n, Decode decode, int texel_bits) {
-  const double limited = std::clamp(n, -1.0, 1.0);
-  const double top = std::ldexp(1, texel_bits) - 1, half = std::ldexp(1, texel_bits - 1);
-  const double code =
-      decode == Decode::kRange ? round_half_up((limited + 1) / 2 * top) : half + round_half_up(limited * (half - 1));
-  return static_cast<std::uint64_t>(code);
-}
-
-std::uint64_t gradient_code(double f, int texel_bits) {
-  const double half = std::ldexp(1, texel_bits - 1);
-  return static_cast<std::uint64_t>(half + std::clamp(round_half_up(f * half), -half, half - 1));
+std::uint64_t bump_code(double value, const Shape& config) {
+  const double code = round_half_up((std::clamp(value, -1.0, 1.0) * config.bump_full_scale + config.bump_offset) / 2);
+  return static_cast<std::uint64_t>(std::clamp(code, 0.0, std::ldexp(1, config.texel_bits) - 1));
 }
 
 std::uint64_t decal_code(double c, int texel_bits) {
@@ -75,25 +90,18 @@ std::uint64_t decal_code(double c, int texel_bits) {
 }
 
 Texture quantise(const ExactTexture& exact, const Shape& config) {
-  const auto decode = static_cast<Decode>(config.decode);
   const int bits = config.texel_bits;
+  const auto components = static_cast<std::size_t>(config.bump_components);
   Texture texture{exact.log2_width, exact.log2_height, config.texels, bits, {}};
   for (const auto& from : exact.levels) {
     std::vector<std::uint64_t> level;
-    level.reserve(from.size());
-    for (const Texel& texel : from) {
-      std::uint64_t word = 0;
-      int shift = 0;
-      if (config.bump_components == 2) {
-        for (std::size_t i = 0; i < 2; ++i, shift += bits) word |= gradient_code(texel[i], bits) << shift;
-      }
-      if (config.bump_components == 3) {
-        for (std::size_t i = 0; i < 3; ++i, shift += bits) word |= normal_code(texel[i], decode, bits) << shift;
-      }
-      if (config.decal != 0) {
-        for (std::size_t i = 3; i < 6; ++i, shift += bits) word |= decal_code(texel[i], bits) << shift;
-      }
-      level.push_back(word);
+    level.reserve(from.size() * static_cast<std::size_t>(texture.texel_words()));
+    CodeWriter writer(texture, level);
+    for (const ExactTexel& texel : from) {
+      writer.next_texel();
+      for (std::size_t k = 0; k < components; ++k) writer.put(bump_code(texel.bump[k], config));
+      if (config.decal == 0) continue;
+      for (const float channel : texel.colour) writer.put(decal_code(channel, bits));
     }
     texture.levels.push_back(std::move(level));
   }

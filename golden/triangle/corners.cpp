@@ -59,6 +59,39 @@ double largest_q(const Corners& corners) {
 
 constexpr double kSmallestVectorScale = 1.0 / 16;
 
+std::array<Vec3, 3> scaled_by_q(const Shape& config, const Corners& corners, std::array<Vec3, 3> vectors,
+                                int normalizer) {
+  const bool any_length =
+      normalizer != static_cast<int>(Normalizer::kNone) && normalizer != static_cast<int>(Normalizer::kNear);
+  if (config.perspective == 0 || !any_length) return vectors;
+  const double largest = largest_q(corners);
+  for (std::size_t i = 0; i < 3; ++i) {
+    vectors[i] = std::max(corners.v[i]->q / largest, kSmallestVectorScale) * vectors[i];
+  }
+  return vectors;
+}
+
+// By one power of two that brings the largest of the triangle into [1/2, 1), or checked against the block of the draw.
+void scale_to_block(const Shape& config, std::vector<std::array<Vec3, 3>>& frame) {
+  double largest = 0;
+  for (const auto& vectors : frame) {
+    for (const Vec3& v : vectors) {
+      if (!std::isfinite(v.x + v.y + v.z)) throw std::invalid_argument("a vector in the place of N is not finite");
+      largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    }
+  }
+  if (config.block_exponent == static_cast<int>(BlockExponent::kDraw)) {
+    if (largest > 1) throw std::invalid_argument("a vector in the place of N exceeds the block of its draw");
+    return;
+  }
+  if (largest == 0) return;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  for (auto& vectors : frame) {
+    for (Vec3& v : vectors) v = {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
+  }
+}
+
 }  // namespace
 
 std::int64_t interpolation_margin(const Shape& config, int width) {
@@ -107,49 +140,26 @@ TextureCorners texture_corners(const Shape& config, const Corners& corners, cons
 
 std::array<Vec3, 3> vector_corners(const Shape& config, const Corners& corners, Vec3 ScreenVertex::*member,
                                    int normalizer) {
-  std::array<Vec3, 3> vectors;
-  for (std::size_t i = 0; i < 3; ++i) vectors[i] = corners.v[i]->*member;
-  const bool any_length =
-      normalizer != static_cast<int>(Normalizer::kNone) && normalizer != static_cast<int>(Normalizer::kNear);
-  if (config.perspective == 0 || !any_length) return vectors;
-  const double largest = largest_q(corners);
-  for (std::size_t i = 0; i < 3; ++i) {
-    vectors[i] = std::max(corners.v[i]->q / largest, kSmallestVectorScale) * vectors[i];
-  }
-  return vectors;
+  return scaled_by_q(config, corners, {corners.v[0]->*member, corners.v[1]->*member, corners.v[2]->*member},
+                     normalizer);
 }
 
-CrossCorners cross_corners(const Shape& config, const Corners& corners, const DrawWords& draw) {
-  CrossCorners cross;
-  if (!draw.bump) {
-    cross.a = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
-    return cross;
+std::vector<std::array<Vec3, 3>> frame_corners(const Shape& config, const Corners& corners, const DrawWords& draw) {
+  std::vector<std::array<Vec3, 3>> frame(static_cast<std::size_t>(config.frame_vectors));
+  if (frame.empty()) return frame;
+  if (!draw.bump || config.frame_prepared == 0) {
+    frame[0] = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
+    return frame;
   }
-  cross.a = vector_corners(config, corners, &ScreenVertex::A, config.normalizer_n);
-  cross.b = vector_corners(config, corners, &ScreenVertex::B, config.normalizer_n);
-  cross.c = vector_corners(config, corners, &ScreenVertex::C, config.normalizer_n);
-  if (config.frame_held != 0) {
-    cross.b.fill(1.0 / 3 * (cross.b[0] + cross.b[1] + cross.b[2]));
-    cross.c.fill(1.0 / 3 * (cross.c[0] + cross.c[1] + cross.c[2]));
+  const auto first_held = frame.size() - static_cast<std::size_t>(config.frame_held);
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    auto& v = frame[i];
+    v = scaled_by_q(config, corners, {corners.v[0]->frame[i], corners.v[1]->frame[i], corners.v[2]->frame[i]},
+                    config.normalizer_n);
+    if (i >= first_held) v.fill(1.0 / 3 * (v[0] + v[1] + v[2]));
   }
-  double largest = 0;
-  for (const auto* vectors : {&cross.a, &cross.b, &cross.c}) {
-    for (const Vec3& v : *vectors) {
-      if (!std::isfinite(v.x + v.y + v.z)) throw std::invalid_argument("Pu x Pv, Pv x N or N x Pu is not finite");
-      largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    }
-  }
-  if (config.block_exponent == static_cast<int>(BlockExponent::kDraw)) {
-    if (largest > 1) throw std::invalid_argument("Pu x Pv, Pv x N or N x Pu exceeds the block of its draw");
-    return cross;
-  }
-  if (largest == 0) return cross;
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  for (auto* vectors : {&cross.a, &cross.b, &cross.c}) {
-    for (Vec3& v : *vectors) v = {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
-  }
-  return cross;
+  if (config.frame_unbounded != 0) scale_to_block(config, frame);
+  return frame;
 }
 
 }  // namespace wrinkle

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "golden/config/config.h"
 #include "golden/triangle/packet.h"
@@ -35,14 +36,11 @@ TextureCorners texture_corners(const Shape& config, const Corners& corners, cons
 std::array<Vec3, 3> vector_corners(const Shape& config, const Corners& corners, Vec3 ScreenVertex::*member,
                                    int normalizer);
 
-// Pu x Pv, Pv x N and N x Pu at the corners as the hardware gets them: scaled by q like N, the latter two replaced by
-// their means where they are constant over a triangle, and with block_exponent = triangle all nine components by one
-// power of two that brings the largest of the triangle into [1/2, 1). A draw without bump has N and zeros. Throws
-// std::invalid_argument when a component does not fit.
-struct CrossCorners {
-  std::array<Vec3, 3> a, b, c;
-};
-CrossCorners cross_corners(const Shape& config, const Corners& corners, const DrawWords& draw);
+// The vectors in the place of N at the corners as the hardware gets them, one after the other: scaled by q like L and
+// H; those that are held over a triangle replaced by their means; and, where they are unbounded and block_exponent =
+// triangle, all by one power of two that brings the largest of the triangle into [1/2, 1). A draw without bump has N
+// and zeros. Throws std::invalid_argument when a component does not fit.
+std::vector<std::array<Vec3, 3>> frame_corners(const Shape& config, const Corners& corners, const DrawWords& draw);
 
 // LSBs that an unsigned or cyclic component keeps clear of both ends of its format: the accumulated error of the
 // interpolator over a whole screen, at most 2^(X - G) LSB, must not carry it round.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/datapath/datapath.h"
 #include "golden/texel/texture.h"
 #include "golden/vector.h"
 #include "golden/vertex/surface.h"
@@ -20,9 +21,9 @@ struct ScreenVertex {
   double q = 1;  // 1/w up to a factor per triangle
   Vec2 uv;       // repeats; not multiplied by q
   Vec3 N, L, H;  // in the frame the draw lights in, unit length; H is the view vector E where the lighting asks for it
-  // Pu x Pv, Pv x N, N x Pu [Peercy97 eq. 2] in that frame, the latter two times the full scale of the gradient
-  // texture; of a draw the largest component is in [1/2, 1). Only where the datapath is Blinn's.
-  Vec3 A, B, C;
+  // The vectors in the place of N, where the datapath prepares them (golden/datapath); where they are unbounded, the
+  // largest component of a draw is in [1/2, 1).
+  FrameVectors frame{};
   Vec2 parameter;  // on the analytic surface
   Vec3 P;          // world position, for the ideal picture
 };

@@ -41,16 +41,15 @@ std::int64_t denominator(const Corners& corners) { return corners.area < 0 ? -co
 class Attributes {
  public:
   Attributes(const Shape& config, const Corners& corners, const DrawWords& draw) : config_(config), corners_(corners) {
-    if (config.frame_vectors == 1) vector(Component::kNx, &ScreenVertex::N, config.normalizer_n);
+    const std::vector<std::array<Vec3, 3>> frame = frame_corners(config, corners, draw);
+    const Component first = config.frame_vectors == 1 ? Component::kNx : Component::kAx;
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      if (config.frame_unbounded == 0) expect_unit_length(frame[i]);
+      put(static_cast<Component>(at(first) + 3 * i), frame[i]);
+    }
     if (config.has_light_planes) {
       vector(Component::kLx, &ScreenVertex::L, config.normalizer_l);
       if (config.glossy) vector(Component::kHx, &ScreenVertex::H, config.third_normalizer);
-    }
-    if (config.frame_vectors > 1) {
-      const CrossCorners cross = cross_corners(config, corners, draw);
-      put(Component::kAx, cross.a);
-      put(Component::kBx, cross.b);
-      put(Component::kCx, cross.c);
     }
     for (std::size_t i = 0; i < 3; ++i) values_[at(Component::kZ)][i] = depth_in_format(config, corners.v[i]->z);
     // What no texel is fetched for need not fit.
@@ -70,10 +69,14 @@ class Attributes {
 
   void vector(Component x, Vec3 ScreenVertex::*member, int normalizer) {
     const std::array<Vec3, 3> vectors = vector_corners(config_, corners_, member, normalizer);
+    expect_unit_length(vectors);
+    put(x, vectors);
+  }
+
+  static void expect_unit_length(const std::array<Vec3, 3>& vectors) {
     for (const Vec3& value : vectors) {
       if (!(length(value) < 1.5)) throw std::invalid_argument("a vector at a vertex is not of unit length");
     }
-    put(x, vectors);
   }
 
   void put(Component x, const std::array<Vec3, 3>& vectors) {

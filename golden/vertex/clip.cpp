@@ -31,9 +31,15 @@ Vec3 mix(Vec3 a, Vec3 b, double t) { return a + t * (b - a); }
 ClipVertex mix(const ClipVertex& a, const ClipVertex& b, double t) {
   const ScreenPoint screen{mix(a.screen.x, b.screen.x, t), mix(a.screen.y, b.screen.y, t),
                            mix(a.screen.z, b.screen.z, t), mix(a.screen.w, b.screen.w, t)};
-  return {screen,           mix(a.uv, b.uv, t), mix(a.N, b.N, t),
-          mix(a.L, b.L, t), mix(a.H, b.H, t),   mix(a.A, b.A, t),
-          mix(a.B, b.B, t), mix(a.C, b.C, t),   mix(a.parameter, b.parameter, t),
+  FrameVectors frame;
+  for (std::size_t i = 0; i < frame.size(); ++i) frame[i] = mix(a.frame[i], b.frame[i], t);
+  return {screen,
+          mix(a.uv, b.uv, t),
+          mix(a.N, b.N, t),
+          mix(a.L, b.L, t),
+          mix(a.H, b.H, t),
+          frame,
+          mix(a.parameter, b.parameter, t),
           mix(a.P, b.P, t)};
 }
 

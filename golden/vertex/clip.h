@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "golden/datapath/datapath.h"
 #include "golden/vector.h"
 #include "golden/vertex/camera.h"
 
@@ -13,7 +14,7 @@ struct ClipVertex {
   ScreenPoint screen;
   Vec2 uv;
   Vec3 N, L, H;
-  Vec3 A, B, C;
+  FrameVectors frame{};
   Vec2 parameter;
   Vec3 P;
 };

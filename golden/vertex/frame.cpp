@@ -3,9 +3,10 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
-#include "golden/texel/gradient_map.h"
+#include "golden/datapath/datapaths.h"
 #include "golden/texel/quantise.h"
 #include "golden/vertex/camera.h"
 #include "golden/vertex/clip.h"
@@ -62,37 +63,39 @@ class MirroredHeight : public HeightField {
   std::shared_ptr<const HeightField> height_;
 };
 
-// A texture of the frame, and what its slopes were divided by.
-struct BoundMap {
-  int index = 0;
-  double gradient_scale = 1;
-};
-
 // Whether fu and fv of its map are by the parameters of its surface; else they are by lengths along T and B.
 bool has_derivatives(const Object& object) { return object.heights && !object.mesh.surfaces.empty(); }
 
-// The space that a draw lights in. Blinn's N' is in that of Pu and Pv; N of the rotated frame is its z.
-ShadingSpace space_of(const Shape& config, const Object& object, const DrawState& state) {
-  if (config.normal_width == 0) return ShadingSpace::kTangent;
-  return config.surface_is_z != 0 && state.bump ? object.space : ShadingSpace::kWorld;
+// What the vertex rate asks of the datapath, besides its vertices.
+struct DatapathRules {
+  DrawSpace space;
+  bool turns_light, texels_from_heights;
+};
+DatapathRules rules_of(const Config& config) {
+  return with_datapath(config, [](const auto& said) {
+    using Datapath = std::decay_t<decltype(said)>;
+    return DatapathRules{Datapath::kSpace, Datapath::kTurnsLight, Datapath::kTexelsFromHeights};
+  });
 }
 
-// `B` and `C` times the scale of the slopes, and all by a power of two that brings the largest of the draw into
-// [1/2, 1).
-void scale_to_block(double gradient_scale, std::vector<ClipVertex>& vertices) {
+// The space that a draw lights in. N of the rotated frame is its z.
+ShadingSpace space_of(DrawSpace space, const Object& object, bool is_bumped) {
+  if (space == DrawSpace::kTangent) return ShadingSpace::kTangent;
+  return space == DrawSpace::kOfTexture && is_bumped ? object.space : ShadingSpace::kWorld;
+}
+
+// All times a power of two that brings the largest component of the draw into [1/2, 1).
+void scale_to_block(std::vector<ClipVertex>& vertices) {
   double largest = 0;
-  for (ClipVertex& v : vertices) {
-    v.B = gradient_scale * v.B;
-    v.C = gradient_scale * v.C;
-    for (const Vec3* w : {&v.A, &v.B, &v.C})
-      largest = std::max({largest, std::abs(w->x), std::abs(w->y), std::abs(w->z)});
+  for (const ClipVertex& v : vertices) {
+    for (const Vec3& w : v.frame) largest = std::max({largest, std::abs(w.x), std::abs(w.y), std::abs(w.z)});
   }
   if (largest == 0) return;
   int exponent = 0;
   std::frexp(largest, &exponent);
   const double scale = std::ldexp(1, -exponent);
   for (ClipVertex& v : vertices) {
-    for (Vec3* w : {&v.A, &v.B, &v.C}) *w = scale * *w;
+    for (Vec3& w : v.frame) w = scale * w;
   }
 }
 
@@ -128,39 +131,34 @@ class FrameBuilder {
   void add(const Object& object);
   DrawState state_of(const Object& object);
   void hold_light(const Object& object, DrawState& state) const;
-  const BoundMap& map_of(const Object& object);
-  std::vector<ClipVertex> shade(const Object& object, const DrawState& state, double gradient_scale) const;
+  int map_of(const Object& object);
+  std::vector<ClipVertex> shade(const Object& object, const DrawState& state) const;
   void light(const Object& object, const Vertex& vertex, const DrawState& state, ClipVertex& v) const;
+  FrameVectors prepare(const Object& object, const Vertex& vertex, double bump_scale) const;
   void add_triangle(const std::array<const ClipVertex*, 3>& corners, Facing facing, const ScreenTriangle& blank,
                     Draw& draw) const;
   ScreenVertex snap(const ClipVertex& vertex, const DrawState& state, bool back) const;
 
   const Shape config_;
+  const DatapathRules rules_ = rules_of(config_);
   const Scene& scene_;
   Projection projection_;
   Illumination illumination_;
   GuardBand band_;
   Frame frame_;
-  std::map<std::pair<std::shared_ptr<const ExactTexture>, std::shared_ptr<const Grid<double>>>, BoundMap> map_of_;
+  std::map<std::pair<std::shared_ptr<const ExactTexture>, std::shared_ptr<const Grid<double>>>, int> map_of_;
   std::uint32_t next_id_ = 0;
 };
 
-const BoundMap& FrameBuilder::map_of(const Object& object) {
-  const auto heights = config_.frame_unbounded != 0 && has_derivatives(object) ? object.heights : nullptr;
-  const auto [entry, is_new] = map_of_.try_emplace({object.texture, heights});
-  BoundMap& map = entry->second;
-  if (!is_new) return map;
-  map.index = static_cast<int>(frame_.textures.size());
-  if (!config_.frame_unbounded != 0) {
-    frame_.exact_textures.push_back(*object.texture);
-  } else {
-    GradientTexture gradient = heights ? gradient_texture(*object.texture, *heights, config_.texel_bits)
-                                       : gradient_texture(*object.texture, config_.texel_bits);
-    map.gradient_scale = gradient.scale;
-    frame_.exact_textures.push_back(std::move(gradient.texture));
-  }
+int FrameBuilder::map_of(const Object& object) {
+  const auto heights = rules_.texels_from_heights && has_derivatives(object) ? object.heights : nullptr;
+  const auto [entry, is_new] = map_of_.try_emplace({object.texture, heights}, static_cast<int>(frame_.textures.size()));
+  if (!is_new) return entry->second;
+  const TexelInputs inputs{*object.texture, heights.get(), config_.texel_bits};
+  frame_.exact_textures.push_back(
+      with_datapath(config_, [&](const auto& said) { return std::decay_t<decltype(said)>::texels(inputs); }));
   frame_.textures.push_back(quantise(frame_.exact_textures.back(), config_));
-  return map;
+  return entry->second;
 }
 
 // Without a texture (or a datapath) there is nothing to perturb the normal with: the object is lit in world space.
@@ -173,7 +171,7 @@ DrawState FrameBuilder::state_of(const Object& object) {
   state.shadow = object.shadow && !in_object_space;
   state.wrap_u = object.wrap_u;
   state.wrap_v = object.wrap_v;
-  state.texture = state.textured ? map_of(object).index : 0;
+  state.texture = state.textured ? map_of(object) : 0;
   state.material = object.material;
   if (!config_.has_light_planes) hold_light(object, state);
   return state;
@@ -185,7 +183,7 @@ void FrameBuilder::hold_light(const Object& object, DrawState& state) const {
     throw std::invalid_argument("light_vectors = constant needs light and viewer at infinity");
   const LightVectors light = illumination_.at({});
   const Vec3 third = config_.has_view_vector ? light.E : light.H;
-  const ShadingSpace space = space_of(config_, object, state);
+  const ShadingSpace space = space_of(rules_.space, object, state.bump);
   if (space == ShadingSpace::kTangent)
     throw std::invalid_argument("light_vectors = constant cannot light \"" + object.name +
                                 "\" in tangent space; space = \"object\" can be");
@@ -202,7 +200,7 @@ void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawS
   const LightVectors light = illumination_.at(v.P);
   const Vec3 third = config_.has_view_vector ? light.E : light.H;
   const TangentFrame frame = tangent_frame(vertex, object.to_world);
-  switch (space_of(config_, object, state)) {
+  switch (space_of(rules_.space, object, state.bump)) {
     case ShadingSpace::kWorld:
       v.N = frame.N, v.L = light.L, v.H = third;
       break;
@@ -215,15 +213,24 @@ void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawS
       v.H = to_object_space(object.to_world, third);
       break;
   }
-  if (!config_.frame_unbounded != 0 || !state.bump) return;
-  Vertex repeated = vertex;
-  repeated.Pu = 1 / object.repeat.x * vertex.Pu;
-  repeated.Pv = 1 / object.repeat.y * vertex.Pv;
-  const CrossVectors cross = cross_vectors(repeated, frame, object.to_world, !has_derivatives(object));
-  v.A = cross.A, v.B = cross.B, v.C = cross.C;
 }
 
-std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawState& state, double gradient_scale) const {
+// The vectors in the place of N, as the datapath has them at a vertex of a bumped draw.
+FrameVectors FrameBuilder::prepare(const Object& object, const Vertex& vertex, double bump_scale) const {
+  const TangentFrame frame = tangent_frame(vertex, object.to_world);
+  const VertexInputs inputs{frame.N,
+                            frame.T,
+                            frame.B,
+                            transform_direction(object.to_world, 1 / object.repeat.x * vertex.Pu),
+                            transform_direction(object.to_world, 1 / object.repeat.y * vertex.Pv),
+                            has_derivatives(object),
+                            bump_scale};
+  return with_datapath(config_, [&](const auto& datapath) { return datapath.vertex(inputs); });
+}
+
+std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawState& state) const {
+  const bool prepares = config_.frame_prepared != 0 && state.bump;
+  const double bump_scale = prepares ? frame_.exact_textures[static_cast<std::size_t>(state.texture)].bump_scale : 1;
   std::vector<ClipVertex> vertices;
   vertices.reserve(object.mesh.vertices.size());
   for (const Vertex& vertex : object.mesh.vertices) {
@@ -233,17 +240,17 @@ std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawStat
     v.uv = vertex.uv;
     v.parameter = vertex.parameter;
     light(object, vertex, state, v);
+    if (prepares) v.frame = prepare(object, vertex, bump_scale);
     vertices.push_back(v);
   }
-  if (config_.frame_unbounded != 0 && state.bump) scale_to_block(gradient_scale, vertices);
+  if (prepares && config_.frame_unbounded != 0) scale_to_block(vertices);
   return vertices;
 }
 
 void FrameBuilder::add(const Object& object) {
   Draw draw;
   draw.state = state_of(object);
-  const double gradient_scale = draw.state.bump ? map_of(object).gradient_scale : 1;
-  const std::vector<ClipVertex> vertices = shade(object, draw.state, gradient_scale);
+  const std::vector<ClipVertex> vertices = shade(object, draw.state);
   const WorldSurfaces surfaces(object);
   // A matrix that mirrors turns all windings round.
   const bool mirrored = determinant3(object.to_world) < 0;
@@ -292,7 +299,7 @@ ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state
     return static_cast<std::int32_t>(std::floor(std::clamp(pixels, band_.low, band_.high) * grid + 0.5));
   };
   const ScreenPoint& p = vertex.screen;
-  const bool turn_light = back && ((config_.surface_is_z != 0 && state.bump) || config_.normal_width == 0);
+  const bool turn_light = back && rules_.turns_light && (state.bump || rules_.space == DrawSpace::kTangent);
   const bool turn_normal = back && !turn_light;
   ScreenVertex v;
   v.x = to_grid(p.x / p.w);
@@ -301,9 +308,7 @@ ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state
   v.q = 1 / p.w;
   v.uv = vertex.uv;
   v.N = turn_normal ? -vertex.N : vertex.N;
-  v.A = turn_normal ? -vertex.A : vertex.A;
-  v.B = turn_normal ? -vertex.B : vertex.B;
-  v.C = turn_normal ? -vertex.C : vertex.C;
+  for (std::size_t i = 0; i < v.frame.size(); ++i) v.frame[i] = turn_normal ? -vertex.frame[i] : vertex.frame[i];
   v.L = turn_light ? -vertex.L : vertex.L;
   v.H = turn_light ? -vertex.H : vertex.H;
   v.parameter = vertex.parameter;

@@ -19,14 +19,6 @@ Vec3 to_object_space(const Mat4& to_world, Vec3 v) {
                     m(0, 2) * v.x + m(1, 2) * v.y + m(2, 2) * v.z});
 }
 
-CrossVectors cross_vectors(const Vertex& vertex, const TangentFrame& frame, const Mat4& to_world, bool unit) {
-  if (unit) return {frame.N, frame.T, frame.B};
-  const Vec3 Pu = transform_direction(to_world, vertex.Pu), Pv = transform_direction(to_world, vertex.Pv);
-  // Where Pu x Pv points inwards, the perturbed normal that points outwards is the opposite one.
-  const double side = dot(frame.N, cross(Pu, Pv)) < 0 ? -1 : 1;
-  return {side * cross(Pu, Pv), side * cross(Pv, frame.N), side * cross(frame.N, Pu)};
-}
-
 Illumination::Illumination(const Scene& scene)
     : eye_at_infinity_(scene.viewer_at_infinity),
       light_at_infinity_(scene.light.at_infinity),

@@ -30,13 +30,6 @@ struct LightVectors {
   Vec3 L, H, E;
 };
 
-// Pu x Pv, Pv x N and N x Pu in the world, N on the outer side, f being measured along N [Peercy97 eq. 2]. With
-// `unit`, u and v are lengths along T and B, and the three are N, T and B.
-struct CrossVectors {
-  Vec3 A, B, C;
-};
-CrossVectors cross_vectors(const Vertex& vertex, const TangentFrame& frame, const Mat4& to_world, bool unit);
-
 // The light and the viewer, each at a point or at infinity. E points to the viewer, H = normalize(L + E).
 class Illumination {
  public:

@@ -31,7 +31,7 @@ module wrinkle_scan #(
   output wire [SCREEN_BITS-1:0] x_o,
   output wire [SCREEN_BITS-1:0] y_o,
   output wire                   last_o,            // of its packet
-  output wire                   busy_o
+  output wire                   busy_o             // a row, a pixel or a sum of the interpolators is left
 );
   localparam X         = SCREEN_BITS;
   localparam EDGE_BITS = SCREEN_BITS + SUBPIXEL_BITS + 2;
@@ -80,7 +80,7 @@ module wrinkle_scan #(
   assign span_o  = span;
   assign first_o = row_fresh_q;
   assign pixel_o = pixel;
-  assign busy_o  = row_valid_q | pixel_valid_q;
+  assign busy_o  = row_valid_q | pixel_valid_q | waits;
 
   wire [FIELDS-1:0] start_fields = packet[EDGES_AT +: FIELDS];
   wire [FIELDS-1:0] end0_fields  = packet[EDGES_AT + FIELDS +: FIELDS];

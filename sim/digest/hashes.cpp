@@ -60,7 +60,6 @@ std::uint64_t Hash::digest() {
 StageHashes::StageHashes(const Config& config) {
   const std::vector<Value> all = values(config);
   for (std::size_t v = 0; v < all.size(); ++v) {
-    if (!all[v].present) continue;
     for (std::size_t e = 0; e < static_cast<std::size_t>(all[v].elements); ++e)
       columns_.push_back({v, e, stage_number(all[v].stage), {}});
   }

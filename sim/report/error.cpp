@@ -54,7 +54,7 @@ double ulp_of(int fraction_bits) { return std::ldexp(1.0, -fraction_bits); }
 void add_values(const Shape& c, Part part, const Replay& replay, std::size_t i, PartSums& sums) {
   const exact::Fragments &r = replay.rounded(part), &e = replay.twin(part);
   const double vector = ulp_of(c.vector_bits), unit = ulp_of(c.unit_bits), dot_ulp = ulp_of(c.dot_bits);
-  const double gradient = ulp_of(c.gradient_bits), code = ulp_of(c.texel_bits - 1);
+  const double code = ulp_of(c.texel_bits - 1);
   const bool textured = replay.draw().texture != nullptr;
   const auto add_vector = [&](bool present, exact::Column<Vec3> exact::Fragments::*column, double ulp) {
     if (present) sums.add_vector((r.*column)[i], (e.*column)[i], ulp);
@@ -62,24 +62,24 @@ void add_values(const Shape& c, Part part, const Replay& replay, std::size_t i, 
   const auto add_number = [&](bool present, exact::Column<double> exact::Fragments::*column, double ulp) {
     if (present) sums.add_number((r.*column)[i], (e.*column)[i], ulp);
   };
-  const auto add_texture = [&](double normal_ulp, double gradient_ulp) {
-    add_vector(textured && c.surface_is_z != 0, &exact::Fragments::texture_n, normal_ulp);
-    if (!textured || c.frame_unbounded == 0) return;
-    sums.add_number(r.gradient[i].x, e.gradient[i].x, gradient_ulp);
-    sums.add_number(r.gradient[i].y, e.gradient[i].y, gradient_ulp);
+  const auto add_texture = [&](double component_ulp) {
+    if (!textured) return;
+    const BumpComponents rounded = r.bump[i], twin = e.bump[i];
+    if (c.bump_components == 3)
+      return sums.add_vector({rounded[0], rounded[1], rounded[2]}, {twin[0], twin[1], twin[2]}, component_ulp);
+    for (std::size_t k = 0; k < std::size_t(c.bump_components); ++k)
+      sums.add_number(rounded[k], twin[k], component_ulp);
   };
   switch (part) {
     case Part::kInterpolate:
-      add_vector(c.frame_vectors == 1, &exact::Fragments::interpolated_n, vector);
-      for (const auto plane :
-           {&exact::Fragments::interpolated_a, &exact::Fragments::interpolated_b, &exact::Fragments::interpolated_c})
-        add_vector(c.frame_unbounded != 0, plane, ulp_of(c.wide_bits));
+      for (std::size_t k = 0; k < std::size_t(c.frame_vectors); ++k)
+        sums.add_vector(r.frame[i][k], e.frame[i][k], ulp_of(c.frame_bits));
       add_vector(c.has_light_planes != 0, &exact::Fragments::interpolated_l, vector);
       return add_vector(c.has_light_planes != 0 && c.glossy != 0, &exact::Fragments::interpolated_h, vector);
     case Part::kTexel:
-      return add_texture(code, code);
+      return add_texture(code);
     case Part::kFilter:
-      return add_texture(vector, gradient);
+      return add_texture(ulp_of(c.bump_fraction));
     case Part::kPerturb:
       return add_vector(c.normal_width != 0, &exact::Fragments::perturbed_n, ulp_of(c.normal_bits));
     case Part::kNormalize:

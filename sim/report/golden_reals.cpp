@@ -11,19 +11,16 @@ using exact::Fragments;
 using exact::Numbers;
 
 struct Place {
-  std::string_view stage, name;
+  std::string_view wire;  // as in values.def
   Numbers* (*target)(Fragments&, std::size_t element);
 };
 
 // Where each value goes; u and v are those behind `perspective`, where there is one.
-#define WRINKLE_PLACE(stage, name, column)                                                       \
-  {                                                                                              \
-#stage, #name, [](Fragments & b, std::size_t element) { return &b.column.element[element]; } \
+#define WRINKLE_PLACE(stage, name, column)                                                          \
+  {                                                                                                 \
+#stage "_" #name, [](Fragments & b, std::size_t element) { return &b.column.element[element]; } \
   }
-constexpr Place kPlaces[] = {WRINKLE_PLACE(interpolate, n, interpolated_n),
-                             WRINKLE_PLACE(interpolate, a, interpolated_a),
-                             WRINKLE_PLACE(interpolate, b, interpolated_b),
-                             WRINKLE_PLACE(interpolate, c, interpolated_c),
+constexpr Place kPlaces[] = {WRINKLE_PLACE(interpolate, frame, frame),
                              WRINKLE_PLACE(interpolate, l, interpolated_l),
                              WRINKLE_PLACE(interpolate, h, interpolated_h),
                              WRINKLE_PLACE(interpolate, u, u),
@@ -31,8 +28,7 @@ constexpr Place kPlaces[] = {WRINKLE_PLACE(interpolate, n, interpolated_n),
                              WRINKLE_PLACE(interpolate, lod, lod),
                              WRINKLE_PLACE(perspective, u, u),
                              WRINKLE_PLACE(perspective, v, v),
-                             WRINKLE_PLACE(texture, n, texture_n),
-                             WRINKLE_PLACE(texture, gradient, gradient),
+                             WRINKLE_PLACE(texture, bump, bump),
                              WRINKLE_PLACE(texture, decal, decal),
                              WRINKLE_PLACE(perturb, n, perturbed_n),
                              WRINKLE_PLACE(normalize, n, n),
@@ -50,16 +46,15 @@ double full_scale(int bits) { return 1 / (1 - std::ldexp(1.0, -bits)); }
 }  // namespace
 
 GoldenReals::GoldenReals(const Shape& config) : values_(values(config)), grey_(config.count == 1) {
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (values_[i].present) add(config, values_[i], i);
-  }
+  for (std::size_t i = 0; i < values_.size(); ++i) add(config, values_[i], i);
 }
 
 void GoldenReals::add(const Shape& config, const Value& value, std::size_t index) {
   for (const Place& place : kPlaces) {
-    if (place.stage != value.stage || place.name != value.name) continue;
+    if (place.wire != value.wire) continue;
+    const auto first = std::size_t(value.lowest_bit / value.width);
     for (std::size_t k = 0; k < std::size_t(value.elements); ++k) {
-      Element element{place.target, index, k, std::ldexp(1.0, -value.fraction_bits)};
+      Element element{place.target, first + k, index, k, std::ldexp(1.0, -value.fraction_bits)};
       if (value.name == "decal") element.factor = full_scale(config.texel_bits), element.textured_only = true;
       if (value.name == "colour") element.factor = full_scale(config.colour_bits);
       if (config.normalizes_after != 0 && value.stage == "normalize") {
@@ -81,7 +76,7 @@ void GoldenReals::read(const wrinkle::Batch<Int>& from, std::size_t first, const
   to.clear(0, n);
   for (const Element& element : elements_) {
     if (element.textured_only && draw.texture == nullptr) continue;
-    Numbers& numbers = *element.target(to, element.element);
+    Numbers& numbers = *element.target(to, element.target_element);
     const Int* codes = column(from, element.value, element.element) + first;
     for (std::size_t i = 0; i < n; ++i) numbers[i] = element.factor * (element.lsb * double(codes[i]));
     if (element.scale < 0) continue;

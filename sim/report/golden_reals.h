@@ -22,7 +22,7 @@ class GoldenReals {
   // One element of a value, and where it goes.
   struct Element {
     exact::Numbers* (*target)(exact::Fragments&, std::size_t element);
-    std::size_t value, element;
+    std::size_t target_element, value, element;
     double lsb;
     double factor = 1;  // applied after lsb, which is a power of two
     int scale = -1;     // index of the value that holds the scales of N, L and H; -1: none

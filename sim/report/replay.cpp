@@ -23,18 +23,15 @@ void for_each_column(const Shape& config, Part part, Visit&& visit) {
   };
   switch (part) {
     case Part::kInterpolate:
-      only(config.frame_vectors == 1, &Fragments::interpolated_n);
+      only(config.frame_vectors != 0, &Fragments::frame);
       only(config.has_light_planes != 0, &Fragments::interpolated_l);
       only(config.has_light_planes != 0 && config.glossy != 0, &Fragments::interpolated_h);
-      for (const auto product : {&Fragments::interpolated_a, &Fragments::interpolated_b, &Fragments::interpolated_c})
-        only(config.frame_unbounded != 0, product);
       for (const auto coordinate : {&Fragments::u, &Fragments::v, &Fragments::lod})
         only(config.textured != 0, coordinate);
       return;
     case Part::kTexel:
     case Part::kFilter:
-      only(config.surface_is_z != 0, &Fragments::texture_n);
-      only(config.frame_unbounded != 0, &Fragments::gradient);
+      only(config.bump_components != 0, &Fragments::bump);
       return only(config.decal != 0, &Fragments::decal);
     case Part::kPerturb:
       return only(config.normal_width != 0, &Fragments::perturbed_n);
@@ -75,23 +72,21 @@ void run_twin(Part part, const exact::DrawContext& draw, Fragments& batch) {
 // The codes of a texture as the real numbers that they stand for.
 ExactTexture decoded(const Shape& config, const Texture& texture) {
   ExactTexture result{texture.log2_width, texture.log2_height, {}};
-  const int bits = texture.component_bits;
+  const int bits = texture.component_bits, bumps = config.bump_components;
   const double mask = std::ldexp(1.0, bits) - 1, half = std::ldexp(1.0, bits - 1);
   const double zero = config.bump_offset / 2.0;
-  const auto normals = std::size_t(config.bump_components);
+  const auto words = std::size_t(texture.texel_words());
   for (const auto& level : texture.levels) {
-    auto& texels = result.levels.emplace_back();
-    for (const std::uint64_t word : level) {
-      std::array<float, 6> texel{0, 0, 0, 1, 1, 1};
-      for (std::size_t c = 0; c < std::size_t(texture.components); ++c) {
-        const double code = double((word >> (c * std::size_t(bits))) & ((std::uint64_t{1} << bits) - 1));
-        if (c < normals) {
-          texel[c] = float((code - zero) / half);
+    auto& texels = result.levels.emplace_back(level.size() / words);
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+      for (int c = 0; c < texture.components; ++c) {
+        const auto code = double(texture.code(level, i, c));
+        if (c < bumps) {
+          texels[i].bump[std::size_t(c)] = float((code - zero) / half);
         } else {
-          texel[3 + c - normals] = float(code / mask);
+          texels[i].colour[std::size_t(c - bumps)] = float(code / mask);
         }
       }
-      texels.push_back(texel);
     }
   }
   return result;

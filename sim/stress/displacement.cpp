@@ -66,8 +66,8 @@ Extreme scales_of_the_surface(const Config& asked) {
     // Slopes of the bump as large as those of the surface.
     const double scale = length(area) / std::max(size_u, size_v);
     ScreenVertex vertex;
-    vertex.A = area, vertex.B = scale * cross(Pv, N), vertex.C = scale * cross(N, Pu);
-    expected.push_back(normalize(vertex.A - 0.5 * vertex.B + 0.5 * vertex.C));
+    vertex.frame[0] = area, vertex.frame[1] = scale * cross(Pv, N), vertex.frame[2] = scale * cross(N, Pu);
+    expected.push_back(normalize(vertex.frame[0] - 0.5 * vertex.frame[1] + 0.5 * vertex.frame[2]));
     stimulus.add(screen_triangle({{{0, 0}, {700, 0}, {0, 700}}}, vertex), 8, 8);
   }
   std::vector<std::uint32_t> owners;
@@ -93,7 +93,7 @@ Extreme bumps_from_nothing_to_all(const Config& asked) {
     for (std::uint64_t code = 0; code < 256; ++code) {
       stimulus.add_draw(bumped_state(stimulus.add_texture(slopes(code, 255 - code))));
       ScreenVertex vertex;
-      vertex.A = {0, 0, 0.9 * height}, vertex.B = {0.9, 0, 0}, vertex.C = {0, 0.9, 0};
+      vertex.frame[0] = {0, 0, 0.9 * height}, vertex.frame[1] = {0.9, 0, 0}, vertex.frame[2] = {0, 0.9, 0};
       const double u = (double(code) - 128) / 128, v = (127 - double(code)) / 128;
       expected.push_back(normalize({-u, -v, height}));
       stimulus.add(screen_triangle({{{0, 0}, {300, 0}, {0, 300}}}, vertex), 4, 4);

@@ -25,7 +25,7 @@ std::shared_ptr<const ExactTexture> bumpy_texture() {
   auto& texels = texture->levels.emplace_back();
   for (int i = 0; i < 256; ++i) {
     const Vec3 n = normalize(Vec3{std::sin(i * 1.7), std::cos(i * 2.3), 1.5});
-    texels.push_back({float(n.x), float(n.y), float(n.z), 1, 1, 1});
+    texels.push_back({.bump = {float(n.x), float(n.y), float(n.z)}});
   }
   return texture;
 }

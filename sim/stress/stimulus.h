@@ -49,7 +49,7 @@ class Stimulus {
   // As golden(), and with each fragment the number of the add() it belongs to.
   std::vector<FragmentValues> golden(std::vector<std::uint32_t>& owners) const;
 
-  // Where values of components.def are in a FragmentValues; the configuration must have them.
+  // Where values of values.def are in a FragmentValues; the configuration must have them.
   std::size_t index(std::string_view stage, std::string_view name) const;
   // One number of a fragment as a real.
   double real(const FragmentValues& values, std::string_view stage, std::string_view name,

@@ -21,6 +21,9 @@ namespace fs = std::filesystem;
 constexpr int kClocks = 1000, kLeastRuns = 2, kMostRuns = 8;
 // With registers as wires, a word stays until the deepest pipeline shows it, and only then is compared.
 constexpr int kStay = 8;
+// So long after power-up, an output on which the machines of a netlist do not agree is not compared. Icarus takes the
+// other branch of an `if` on what it does not know, and then says more than the Verilog does.
+constexpr int kPowerUp = 256;
 
 // Ports NAME_0_, NAME_1_ ... as one port NAME.
 std::vector<NetlistPort> joined(const std::vector<NetlistPort>& bits) {
@@ -204,6 +207,13 @@ endmodule
     return simulation.value(net) ^ (expected == '1' ? ~std::uint64_t{0} : 0);
   }
 
+  // Machines with a fault whose output bit is not that of the last, which has none, where the Verilog knows it.
+  static std::uint64_t unlike_the_right_one(const GateSimulation& simulation, std::uint32_t net, char expected) {
+    const std::uint64_t value = simulation.value(net);
+    const bool right = value >> 63 != 0;
+    return right == (expected == '1') ? wrong(simulation, net, expected) : 0;
+  }
+
   void compare(const Run& run) {
     GateSimulation simulation(netlist_, run.seed);
     for (std::size_t clock = 0; clock < run.inputs.size(); ++clock) {
@@ -211,7 +221,9 @@ endmodule
       const std::string& expected = run.outputs[clock];
       for (std::size_t bit = 0; bit < outputs_.nets.size() && is_compared(static_cast<int>(clock)); ++bit) {
         const char value = expected[expected.size() - 1 - bit];
-        if (wrong(simulation, outputs_.nets[bit], value) != 0) complain(run, clock, bit, value);
+        const std::uint64_t machines = wrong(simulation, outputs_.nets[bit], value);
+        const bool depends_on_power_up = machines != ~std::uint64_t{0} && static_cast<int>(clock) < kPowerUp;
+        if (machines != 0 && !depends_on_power_up) complain(run, clock, bit, value);
         if (value == '0' || value == '1') output_was_[bit].add(value == '1');
       }
       simulation.clock();
@@ -284,7 +296,7 @@ endmodule
       drive(simulation, run.inputs[clock]);
       const std::string& expected = run.outputs[clock];
       for (std::size_t bit = 0; bit < outputs_.nets.size() && is_compared(static_cast<int>(clock)); ++bit)
-        found |= wrong(simulation, outputs_.nets[bit], expected[expected.size() - 1 - bit]);
+        found |= unlike_the_right_one(simulation, outputs_.nets[bit], expected[expected.size() - 1 - bit]);
       simulation.clock();
     }
     return found & wanted;

@@ -20,7 +20,7 @@ struct CheckOptions {
 };
 
 // Icarus simulates the Verilog, from power-up without known registers and through resets. What it does not know is not
-// compared. The netlist powers up in 64 ways at once, and all of them must agree. Runs of 1,000 clocks follow each
+// compared. The netlist powers up in 64 ways at once, and soon all of them must agree. Runs of 1,000 clocks follow each
 // other until every register and every output has been 0 and 1, two of them at least and eight at most.
 //
 // Throws NetlistDiffers, whose text says the first output, its clock and the inputs.

@@ -7,9 +7,11 @@ namespace wrinkle {
 namespace {
 
 constexpr int kEpisode = 64;
+// The first reset, in which everything is handed on: what can be known afterwards is known.
+constexpr int kFirstReset = 40;
 
 bool is_handshake(const std::string& name) {
-  for (const char* word : {"valid", "ready", "advance"}) {
+  for (const char* word : {"valid", "ready", "advance", "shift"}) {
     if (name.find(word) != std::string::npos) return true;
   }
   return false;
@@ -24,9 +26,9 @@ class Driver {
   const std::string& next(int clock, std::mt19937_64& random) {
     if (clock % kEpisode == 0) rate_ = 1 + random() % 4;
     if (name_ == "rst") {
-      word_[0] = clock < 4 || (options_.stay == 1 && random() % 400 == 0) ? '1' : '0';
+      word_[0] = clock < kFirstReset || (options_.stay == 1 && random() % 400 == 0) ? '1' : '0';
     } else if (is_handshake(name_)) {
-      for (char& bit : word_) bit = options_.stay > 1 || random() % 4 < rate_ ? '1' : '0';
+      for (char& bit : word_) bit = options_.stay > 1 || clock < kFirstReset || random() % 4 < rate_ ? '1' : '0';
     } else if (name_.starts_with("draw_") ? clock % kEpisode == 0 : clock % options_.stay == 0) {
       draw(random);
     }

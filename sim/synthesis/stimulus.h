@@ -17,9 +17,10 @@ struct StimulusOptions {
 };
 
 // A line of 0 and 1 for every clock, bit 0 of the first input last; the input `clk` is left out. The input `rst` is 1
-// in the first clocks and seldom again. Inputs named valid, ready and advance change at random with a rate that is
-// another every 64 clocks, and those of a draw's state with it. All others are random words, sparse, dense and constant
-// ones, words of one bit, and rows of small signed numbers, as vectors near 0 are.
+// in the first clocks and seldom again. Inputs named valid, ready, advance and shift are 1 in the first reset, and then
+// change at random with a rate that is another every 64 clocks, and those of a draw's state with it. All others are
+// random words, sparse, dense and constant ones, words of one bit, and rows of small signed numbers, as vectors near 0
+// are.
 std::vector<std::string> stimulus(const std::vector<NetlistPort>& ports, const StimulusOptions& options);
 
 }  // namespace wrinkle

@@ -184,7 +184,7 @@ inline Config spread_config(int index) {
     for (int Config::*normalizer : {&Config::normalizer_n, &Config::normalizer_l, &Config::normalizer_h})
       config.*normalizer = std::min(config.*normalizer, static_cast<int>(Normalizer::kFaithful));
   }
-  if (config.has_blinn()) config.normalizer_n = static_cast<int>(Normalizer::kFaithful);
+  if (Shape(config).normal_any_length != 0) config.normalizer_n = static_cast<int>(Normalizer::kFaithful);
   if (config.is(Lighting::kPixelHalfangle)) config.normalizer_h = static_cast<int>(Normalizer::kFaithful);
   return config;
 }

@@ -111,7 +111,6 @@ TEST_P(Wires, OfAllValuesAndStagesAreVisible) {
       EXPECT_NE(model.wire(std::string(kStageNames[stage]) + end).data, nullptr) << kStageNames[stage] << end;
   }
   for (const Value& value : values(config)) {
-    if (!value.present) continue;
     const Wire wire = model.wire(value.wire);
     ASSERT_NE(wire.data, nullptr) << value.stage << '.' << value.name << " has no wire " << value.wire;
     EXPECT_GE(wire.bytes * 8, static_cast<std::size_t>(value.lowest_bit + value.elements * value.width)) << value.wire;
@@ -156,7 +155,7 @@ TEST(Taps, ElementsLieAnywhereOnAWireOfAnyWidth) {
     const std::int64_t expected =
         is_signed ? static_cast<std::int64_t>(drawn << shift) >> shift : static_cast<std::int64_t>(drawn);
     wire.set(low + element * width, width, static_cast<std::int64_t>(drawn));
-    const Value value{"interpolate", "a", 12, width, 0, is_signed, true, "interpolate_frame", low};
+    const Value value{"interpolate", "a", 12, width, 0, is_signed, ValueKind::plane, "interpolate_frame", low};
     ASSERT_EQ(unpack(value, wire.wire(), element), expected) << width << " bits from " << low;
   }
 }
@@ -167,8 +166,8 @@ TEST(Taps, OfAStageThatMovesAFragmentSeveralTimes) {
   const auto at = [](Stage stage) { return static_cast<std::size_t>(stage); };
   PerStage<int> moves = stage_moves(Config{});
   moves[at(Stage::texture)] = 3;
-  const std::vector<Value> list{{"scan", "x", 1, 8, 0, false, true, "scan_x", 0},
-                                {"texture", "tap", 1, 8, 0, false, true, "texture_tap", 4}};
+  const std::vector<Value> list{{"scan", "x", 1, 8, 0, false, ValueKind::wire, "scan_x", 0},
+                                {"texture", "tap", 1, 8, 0, false, ValueKind::wire, "texture_tap", 4}};
   MadeUpWire scan_valid("scan_valid", 1), scan_ready("scan_ready", 1), scan_x("scan_x", 1);
   MadeUpWire texture_valid("texture_valid", 1), texture_ready("texture_ready", 1), tap("texture_tap", 2);
   const std::vector<Wire> wires{scan_valid.wire(),    scan_ready.wire(),    scan_x.wire(),

@@ -4,15 +4,39 @@
 #include <fstream>
 #include <sstream>
 
+#include "golden/config/tables.h"
+#include "golden/config/values.h"
 #include "golden/config/verilog.h"
+#include "golden/datapath/datapaths.h"
 
 namespace wrinkle {
 namespace {
 
-TEST(Generated, VerilogConfigIsUpToDate) {
+std::string checked_in(const std::string& path) {
   std::ostringstream text;
-  text << std::ifstream(WRINKLE_SOURCE_DIR "/rtl/wrinkle_config.vh").rdbuf();
-  EXPECT_TRUE(text.str() == verilog_config()) << "rtl/wrinkle_config.vh is stale: run ./wrinkle generate";
+  text << std::ifstream(WRINKLE_SOURCE_DIR "/" + path).rdbuf();
+  return text.str();
+}
+
+TEST(Generated, VerilogConfigIsUpToDate) {
+  EXPECT_TRUE(checked_in("rtl/wrinkle_config.vh") == verilog_config())
+      << "rtl/wrinkle_config.vh is stale: run ./wrinkle generate";
+}
+
+TEST(Generated, ParameterPageIsUpToDate) {
+  EXPECT_TRUE(checked_in("docs/parameters.md") == parameter_page())
+      << "docs/parameters.md is stale: run ./wrinkle generate";
+}
+
+// What a datapath may have at most: the vectors of a vertex, the components of a texel.
+TEST(Generated, DatapathsFit) {
+  for_each_datapath({}, [](std::string_view name, const auto& said) {
+    EXPECT_LE(static_cast<std::size_t>(said.frame_vectors().value), kMaxFrameVectors) << name;
+    EXPECT_EQ(said.frame_names().size(), static_cast<std::size_t>(said.frame_vectors().value)) << name;
+    EXPECT_LE(said.bump_components().value, kMaxElements) << name;
+    EXPECT_EQ(said.bump_name().empty(), said.bump_components().value == 0) << name;
+    EXPECT_EQ(said.kPerturbs, said.normal_width().value != 0) << name;
+  });
 }
 
 }  // namespace

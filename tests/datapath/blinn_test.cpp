@@ -1,8 +1,8 @@
 // blinn [Peercy97 fig. 2]: N' = A - fu B - fv C against its exact twin, and at the ends of its formats.
+#include <array>
 #include <cmath>
 
 #include "golden/datapath/datapaths.h"
-#include "golden/exact/perturb.h"
 #include "tests/stage/support.h"
 
 namespace wrinkle {
@@ -22,26 +22,28 @@ TEST(Blinn, IsRoundedOnce) {
         DrawWords draw;
         draw.bump = bump;
         set_draw(context, draw, nullptr);
-        auto batch = std::make_unique<Batch<std::int64_t>>();
+        auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
         batch->count = kBatch;
         const std::int64_t one = std::int64_t{1} << vw, slope = std::int64_t{1} << gb;
         for (std::size_t i = 0; i < kBatch; ++i) {
           for (std::size_t k = 0; k < 3; ++k) {
-            batch->interpolate_a[k][i] = pattern(random, {-one, one});
-            batch->interpolate_b[k][i] = pattern(random, {-one, one});
-            batch->interpolate_c[k][i] = pattern(random, {-one, one});
+            batch->interpolate_frame[k][i] = pattern(random, {-one, one});
+            batch->interpolate_frame[3 + k][i] = pattern(random, {-one, one});
+            batch->interpolate_frame[6 + k][i] = pattern(random, {-one, one});
           }
-          for (std::size_t k = 0; k < 2; ++k) batch->texture_gradient[k][i] = pattern(random, {-slope, slope - 1});
+          for (std::size_t k = 0; k < 2; ++k) batch->texture_bump[k][i] = pattern(random, {-slope, slope - 1});
         }
         batch = run_one(context, kPerturb, std::move(batch));
         for (std::size_t i = 0; i < kBatch; ++i) {
           const auto vector = [&](const auto& columns) {
             return Vec3{double(columns[0][i]), double(columns[1][i]), double(columns[2][i])};
           };
-          const Vec2 gradient{std::ldexp(double(batch->texture_gradient[0][i]), -gb),
-                              std::ldexp(double(batch->texture_gradient[1][i]), -gb)};
-          const Vec3 want = exact::displace(draw, vector(batch->interpolate_a), vector(batch->interpolate_b),
-                                            vector(batch->interpolate_c), gradient);
+          const std::array frame{vector(batch->interpolate_frame.subspan(0, 3)),
+                                 vector(batch->interpolate_frame.subspan(3, 3)),
+                                 vector(batch->interpolate_frame.subspan(6, 3))};
+          const std::array slopes{std::ldexp(double(batch->texture_bump[0][i]), -gb),
+                                  std::ldexp(double(batch->texture_bump[1][i]), -gb)};
+          const Vec3 want = Blinn::exact(bump, frame, slopes);
           const Vec3 error = vector(batch->perturb_n) - want;
           for (double e : {error.x, error.y, error.z}) worst.see(e);
         }
@@ -57,15 +59,15 @@ TEST(Blinn, Saturates) {
   DrawWords draw;
   draw.bump = true;
   set_draw(context, draw, nullptr);
-  auto batch = std::make_unique<Batch<std::int64_t>>();
+  auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
   batch->count = 1;
   const std::int64_t two = std::int64_t{2} << config.wide_bits, one = std::int64_t{1} << config.gradient_bits;
   for (std::size_t k = 0; k < 3; ++k) {
-    batch->interpolate_a[k][0] = k == 2 ? -two : two - 1;
-    batch->interpolate_b[k][0] = k == 2 ? -two : two - 1;
-    batch->interpolate_c[k][0] = k == 2 ? -two : k == 1 ? -two : two - 1;
+    batch->interpolate_frame[k][0] = k == 2 ? -two : two - 1;
+    batch->interpolate_frame[3 + k][0] = k == 2 ? -two : two - 1;
+    batch->interpolate_frame[6 + k][0] = k == 2 ? -two : k == 1 ? -two : two - 1;
   }
-  batch->texture_gradient[0][0] = batch->texture_gradient[1][0] = -one;
+  batch->texture_bump[0][0] = batch->texture_bump[1][0] = -one;
   batch = run_one(context, kPerturb, std::move(batch));
   EXPECT_EQ(batch->perturb_n[0][0], 2 * two - 1);
   EXPECT_EQ(batch->perturb_n[1][0], two - 2);

@@ -9,9 +9,9 @@ TEST(NormalMap, TheDrawSelects) {
   for (const auto& [name, config] : configurations_with(Datapath::kNormalMapped)) {
     SCOPED_TRACE(name);
     const auto bumped = run_filled(config, true, kPerturb), smooth = run_filled(config, false, kPerturb);
-    EXPECT_EQ(bumped->perturb_n, bumped->texture_n);
-    EXPECT_EQ(smooth->perturb_n, smooth->interpolate_n);
-    EXPECT_NE(bumped->perturb_n, smooth->perturb_n);
+    EXPECT_TRUE(are_equal(bumped->perturb_n, bumped->texture_bump));
+    EXPECT_TRUE(are_equal(smooth->perturb_n, smooth->interpolate_frame));
+    EXPECT_FALSE(are_equal(bumped->perturb_n, smooth->perturb_n));
   }
 }
 

@@ -6,6 +6,9 @@
 
 namespace wrinkle {
 
+// Whether two values have the same codes for all fragments of a batch.
+inline bool are_equal(Columns<std::int64_t> a, Columns<std::int64_t> b) { return std::ranges::equal(a, b); }
+
 // The configurations of the stage tests that have this datapath.
 inline std::vector<NamedConfig> configurations_with(Datapath datapath) {
   std::vector<NamedConfig> list;
@@ -20,7 +23,7 @@ inline std::unique_ptr<Batch<std::int64_t>> run_filled(const Config& config, boo
   DrawWords draw;
   draw.bump = bump;
   set_draw(context, draw, nullptr);
-  auto batch = std::make_unique<Batch<std::int64_t>>();
+  auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
   fill(config, base_seed(), *batch);
   batch->count = kBatch;
   return run_one(context, stages, std::move(batch));

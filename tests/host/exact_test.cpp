@@ -27,8 +27,9 @@ std::vector<ExactFragment> fragments(const Config& config, const Frame& frame, b
 void add_texture(Frame& frame, Vec3 n, Vec3 decal) {
   frame.textures = one_texture(0, 0);
   ExactTexture texture;
-  texture.levels = {{{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z),
-                      static_cast<float>(decal.x), static_cast<float>(decal.y), static_cast<float>(decal.z)}}};
+  texture.levels = {
+      {{.bump = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)},
+        .colour = {static_cast<float>(decal.x), static_cast<float>(decal.y), static_cast<float>(decal.z)}}}};
   frame.exact_textures = {texture};
 }
 
@@ -150,7 +151,7 @@ TEST(Extremes, E19_OpposedVectorsMeetInZero) {
   v[0].N = {1, 0, 0}, v[1].N = {-1, 0, 0}, v[2].N = {0, 1, 0};
   for (const ExactFragment& f : fragments(Config{}, frame)) {
     if (f.x != 1 || f.y != 0) continue;
-    EXPECT_EQ(f.interpolated_n, Vec3{});
+    EXPECT_EQ(f.frame[0], Vec3{});
     EXPECT_EQ(f.n, Vec3{});
     EXPECT_EQ(f.nl, 0);
   }
@@ -195,7 +196,7 @@ TEST(Exact, EqualsTheTrilinearVectors) {
       words >> tag >> mode >> u >> v >> lod >> expected;
       DrawWords draw;
       draw.wrap_u = draw.wrap_v = mode;
-      const double value = exact::sample(Config{}, draw, texture, {u / 4096.0, v / 4096.0}, lod / 256.0)[0];
+      const double value = exact::sample(Config{}, draw, texture, {u / 4096.0, v / 4096.0}, lod / 256.0).bump[0];
       worst = std::max(worst, std::abs(value - expected));
       ++samples;
     } else {

@@ -53,7 +53,7 @@ inline ScreenTriangle triangle(Point a, Point b, Point c) {
   for (std::size_t i = 0; i < 3; ++i) {
     ScreenVertex& vertex = result.v[i];
     vertex.x = points[i].x, vertex.y = points[i].y;
-    vertex.N = vertex.L = vertex.H = vertex.A = {0, 0, 1};
+    vertex.N = vertex.L = vertex.H = vertex.frame[0] = {0, 0, 1};
   }
   return result;
 }
@@ -64,7 +64,7 @@ inline void randomize_attributes(Random& random, ScreenTriangle& triangle) {
     vertex.q = random.real(0.1, 3);
     vertex.uv = {random.real(-0.3, 0.5), random.real(-0.4, 0.45)};
     vertex.N = random.unit_vector(), vertex.L = random.unit_vector(), vertex.H = random.unit_vector();
-    vertex.A = 0.7 * vertex.N, vertex.B = 0.3 * vertex.L, vertex.C = 0.5 * vertex.H;
+    vertex.frame[0] = 0.7 * vertex.N, vertex.frame[1] = 0.3 * vertex.L, vertex.frame[2] = 0.5 * vertex.H;
   }
 }
 

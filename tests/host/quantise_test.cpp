@@ -20,6 +20,8 @@ Config config_with(Decode decode, int texel_bits, int decal = 0) {
 
 std::uint64_t component(std::uint64_t word, int i, int bits) { return word >> (i * bits) & ((1u << bits) - 1); }
 
+std::uint64_t normal_code(double n, Decode decode, int bits) { return bump_code(n, config_with(decode, bits, 0)); }
+
 // What the hardware makes of a code [architecture, texture].
 double decoded(std::uint64_t code, Decode decode, int bits) {
   const double d = decode == Decode::kRange ? 1 : 0;
@@ -92,12 +94,13 @@ TEST(Quantise, ChainsOfDifferentSizesMeetAtTheLarger) {
   EXPECT_EQ(texture.log2_height, 2);
   ASSERT_EQ(texture.levels.size(), 4u);
   EXPECT_EQ(texture.levels[0].size(), 32u);
-  EXPECT_EQ(texture.levels[0][31][3], 1.0f);                     // the decal's own texel
-  EXPECT_FLOAT_EQ(texture.levels[0][8 + 1][0], 0.875f * 0.75f);  // bilinear between the four normals
-  EXPECT_FLOAT_EQ(texture.levels[0][2 * 8 + 5][0], 0.125f * 0.25f);
+  EXPECT_EQ(texture.levels[0][31].colour[0], 1.0f);                   // the decal's own texel
+  EXPECT_FLOAT_EQ(texture.levels[0][8 + 1].bump[0], 0.875f * 0.75f);  // bilinear between the four normals
+  EXPECT_FLOAT_EQ(texture.levels[0][2 * 8 + 5].bump[0], 0.125f * 0.25f);
   for (const auto& level : texture.levels) {
     for (const auto& texel : level) {
-      for (const float c : texel) EXPECT_TRUE(c >= -1 && c <= 1);
+      for (const float c : texel.bump) EXPECT_TRUE(c >= -1 && c <= 1);
+      for (const float c : texel.colour) EXPECT_TRUE(c >= 0 && c <= 1);
     }
   }
 }
@@ -105,7 +108,7 @@ TEST(Quantise, ChainsOfDifferentSizesMeetAtTheLarger) {
 TEST(Quantise, WithoutAnythingFlatAndWhite) {
   const ExactTexture texture = assemble({}, {});
   ASSERT_EQ(texture.levels.size(), 1u);
-  EXPECT_EQ(texture.levels[0][0], (std::array<float, 6>{0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(texture.levels[0][0], (ExactTexel{{0, 0, 1}}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "golden/datapath/datapaths.h"
 #include "golden/exact/exact.h"
 #include "golden/pixel/pixel.h"
 #include "golden/texel/bump.h"
@@ -205,13 +206,13 @@ TEST(Rivals, CrossVectorsAreBlinns) {
     const bool mirrored = i % 2 == 1;
     const Mat4 m = rotation(random.unit_vector(), random.real(0, 6)) * scaling({mirrored ? -1.5 : 1.5, 0.7, 2});
     const TangentFrame frame = tangent_frame(vertex, m);
-    const CrossVectors v = cross_vectors(vertex, frame, m, false);
     const double fu = random.real(-1, 1), fv = random.real(-1, 1);
     const Vec3 Pu = transform_direction(m, vertex.Pu), Pv = transform_direction(m, vertex.Pv);
-    const Vec3 got = normalize(v.A - fu * v.B - fv * v.C);
+    const FrameVectors v = Blinn::vertex({frame.N, frame.T, frame.B, Pu, Pv, true, 1});
+    const Vec3 got = normalize(v[0] - fu * v[1] - fv * v[2]);
     const Vec3 want = mirrored ? -perturbed_normal_blinn(Pu, Pv, -fu, -fv) : perturbed_normal_blinn(Pu, Pv, fu, fv);
     ASSERT_LT(length(got - want), 1e-12);
-    ASSERT_GT(dot(v.A, frame.N), 0);
+    ASSERT_GT(dot(v[0], frame.N), 0);
   }
 }
 
@@ -230,9 +231,9 @@ TEST(Rivals, BlockExponentOfATriangleKeepsEveryScale) {
     const double scale = std::exp2(random.real(-24, 24));
     ScreenTriangle triangle = test::triangle({0, 0}, {9000, 0}, {0, 9000});
     for (ScreenVertex& v : triangle.v) {
-      v.A = scale * random.unit_vector();
+      v.frame[0] = scale * random.unit_vector();
       const double others = scale * std::exp2(random.real(-6, 0));
-      v.B = others * random.unit_vector(), v.C = others * random.unit_vector();
+      v.frame[1] = others * random.unit_vector(), v.frame[2] = others * random.unit_vector();
     }
     Frame frame;
     frame.width = frame.height = 64;
@@ -245,11 +246,11 @@ TEST(Rivals, BlockExponentOfATriangleKeepsEveryScale) {
         };
         const double y = double(batch.scan_y[0][p]) + 0.5, x = double(batch.scan_x[0][p]) + 0.5;
         const double wx = x * 256 / 9000, wy = y * 256 / 9000;
-        const auto mix = [&](Vec3 ScreenVertex::*m) {
+        const auto mix = [&](std::size_t k) {
           const auto& v = triangle.v;
-          return (1 - wx - wy) * v[0].*m + wx * (v[1].*m) + wy * (v[2].*m);
+          return (1 - wx - wy) * v[0].frame[k] + wx * v[1].frame[k] + wy * v[2].frame[k];
         };
-        const Vec3 want = mix(&ScreenVertex::A) - 0.5 * mix(&ScreenVertex::B) + 0.5 * mix(&ScreenVertex::C);
+        const Vec3 want = mix(0) - 0.5 * mix(1) + 0.5 * mix(2);
         const Vec3 got = vector(batch.perturb_n);
         if (length(want) < 0.1 * scale) continue;  // terms that cancel have no direction to keep
         worst = std::max(worst, length(normalize(got) - normalize(want)));
@@ -275,7 +276,7 @@ TEST(Rivals, BumpsFromNothingToAll) {
     texture.components = 2;
     texture.levels = {{static_cast<std::uint64_t>(code) | 128 << 8}};
     ScreenTriangle triangle = test::triangle({0, 0}, {500, 0}, {0, 500});
-    for (ScreenVertex& v : triangle.v) v.A = {0, 0, 1e-3}, v.B = {0.9, 0, 0}, v.C = {0, 0.9, 0};
+    for (ScreenVertex& v : triangle.v) v.frame[0] = {0, 0, 1e-3}, v.frame[1] = {0.9, 0, 0}, v.frame[2] = {0, 0.9, 0};
     Frame frame;
     frame.width = frame.height = 4;
     frame.textures = {texture};

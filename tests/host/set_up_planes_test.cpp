@@ -8,12 +8,17 @@ namespace {
 
 using namespace test;
 
-// One of the nine components of Pu x Pv, Pv x N and N x Pu, at corner i of `t`.
-double cross_value(const Config& config, const ScreenTriangle& t, Component component, std::size_t i) {
+// Whether a component is one of vectors in the place of N that are prepared at every vertex.
+bool is_prepared(const Shape& config, Component component) {
+  return config.frame_prepared != 0 && (at(component) >= at(Component::kAx) || at(component) <= at(Component::kNz));
+}
+
+// Such a component at corner i of `t`.
+double prepared_value(const Config& config, const ScreenTriangle& t, Component component, std::size_t i) {
   const Corners corners = sort_corners(config, t);
-  const CrossCorners cross = cross_corners(config, corners, bumped());
-  const std::size_t place = at(component) - at(Component::kAx);
-  const auto& vectors = place < 3 ? cross.a : place < 6 ? cross.b : cross.c;
+  const std::vector<std::array<Vec3, 3>> frame = frame_corners(config, corners, bumped());
+  const std::size_t place = at(component) - at(at(component) >= at(Component::kAx) ? Component::kAx : Component::kNx);
+  const auto& vectors = frame[place / 3];
   for (std::size_t k = 0; k < 3; ++k) {
     if (corners.v[k] != &t.v[i]) continue;
     return place % 3 == 0 ? vectors[k].x : place % 3 == 1 ? vectors[k].y : vectors[k].z;
@@ -27,8 +32,8 @@ std::array<double, 3> corner_values(const Config& config, const ScreenTriangle& 
       std::ldexp(1.0, std::min(std::max(config.screen_bits - config.guard_bits, 0), config.depth_bits - 3));
   for (std::size_t i = 0; i < 3; ++i) {
     const ScreenVertex& v = t.v[i];
-    if (at(component) >= at(Component::kAx)) {
-      values[i] = cross_value(config, t, component, i);
+    if (is_prepared(config, component)) {
+      values[i] = prepared_value(config, t, component, i);
       continue;
     }
     const double all[] = {

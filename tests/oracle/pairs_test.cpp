@@ -74,7 +74,7 @@ TEST(Pairs, FlippedGreenIsSeen) {
   Frame frame = build_frame(config, pairs_scene({.5, .3, .8}));
   for (ExactTexture& texture : frame.exact_textures)
     for (auto& level : texture.levels)
-      for (auto& texel : level) texel[1] = -texel[1];
+      for (auto& texel : level) texel.bump[1] = -texel.bump[1];
   EXPECT_GE(worst_pair(draw_exact_dots(config, frame)), .1);
 }
 

@@ -171,10 +171,12 @@ synthesized() { # NAME [NAME=VALUE...]
   shift
   check "yosys     core: $configuration, synthesized" yosys_synthesize wrinkle_core "$@"
 }
-synthesized "phong" DATAPATH=0
-synthesized "normal map" DATAPATH=1
-synthesized "blinn" DATAPATH=2
-synthesized "rotated" DATAPATH=3
+number=0
+for datapath in $(sed -n 's/.*datapath\/\([a-z_0-9]*\)\.h".*/\1/p' "$root/golden/datapath/list.def"); do
+  all_three "datapath $datapath" "DATAPATH=$number"
+  synthesized "datapath $datapath" "DATAPATH=$number"
+  number=$((number + 1))
+done
 synthesized "shared and single" SHARING=1 BUFFERING=1
 synthesized "normalized after" NORMALIZE_ORDER=1 SELF_SHADOW=0
 synthesized "reflection" LIGHTING=2
@@ -183,7 +185,7 @@ synthesized "half-angle at every pixel" LIGHTING=3
 refused "verilator refuses TEXEL_BITS=11" wrinkle_error_texel_bits verilator_lint wrinkle_core TEXEL_BITS=11
 refused "icarus refuses TEXEL_BITS=11" wrinkle_error_texel_bits icarus_lint wrinkle_core TEXEL_BITS=11
 refused "yosys refuses TEXEL_BITS=11" wrinkle_error_texel_bits yosys_check wrinkle_core TEXEL_BITS=11
-refused "verilator refuses DATAPATH=4" wrinkle_error_datapath verilator_lint wrinkle_core DATAPATH=4
+refused "verilator refuses DATAPATH=99" wrinkle_error_datapath verilator_lint wrinkle_core DATAPATH=99
 refused "icarus refuses WIDE_BITS=23" wrinkle_error_wide_bits icarus_lint wrinkle_core WIDE_BITS=23
 refused "yosys refuses LIGHTING=4" wrinkle_error_lighting yosys_check wrinkle_core LIGHTING=4
 refused "verilator refuses constant light in the rotated frame" wrinkle_error_light_vectors_turn \

@@ -125,7 +125,7 @@ class Check {
   }
 
   Context context_;
-  std::unique_ptr<Batch<std::int64_t>> batch_ = std::make_unique<Batch<std::int64_t>>();
+  std::unique_ptr<Batch<std::int64_t>> batch_ = std::make_unique<Batch<std::int64_t>>(context_.config);
   std::unique_ptr<Spans<std::int64_t>> spans_ = std::make_unique<Spans<std::int64_t>>();
   std::vector<Vector> pending_;
   Vwrinkle_unit_vector unit_;

@@ -37,11 +37,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadConfig{
             "ChoiceAsInteger", "filter = 1\n", {":1:10", "integer 1", "\"nearest\", \"bilinear\" or \"trilinear\""}},
         BadConfig{"ChoiceAsTable", "[filter]\n", {":1:1", "a table", "\"nearest\""}},
-        BadConfig{"PowerBelowDot", "dot_bits = 12\npower_bits = 10\n", {":2:14", "power_bits = 10", "at least 12"}},
+        BadConfig{"PowerBelowDot", "dot_bits = 12\npower_bits = 10\n", {":2:14", "power_bits = 10", "at least dot_bits (12)"}},
         BadConfig{"DotAboveTwiceUnit", "unit_bits = 6\ndot_bits = 13\npower_bits = 18\n", {":2:12", "dot_bits = 13"}},
         BadConfig{"ReciprocalBelowQ",
                   "perspective = \"on\"\nq_bits = 20\nreciprocal_bits = 12\n",
-                  {":3:19", "reciprocal_bits = 12", "at least 19"}},
+                  {":3:19", "reciprocal_bits = 12", "at least q_bits (20) - 1"}},
         BadConfig{"NotToml", "unit_bits = = 8\n", {":1:"}},
         BadConfig{"KeyTwice", "unit_bits = 8\nunit_bits = 9\n", {":2:"}},
         BadConfig{"BaseUnknown", "base = \"standart\"\n", {":1:8", "standart", "did you mean \"standard\"?"}},
@@ -112,7 +112,7 @@ TEST(ConfigFile, Overrides) {
   fails("unit_bits=", {"an integer from 6 to 16"});
   fails("unit_bits=99999999999999999999", {"an integer from 6 to 16"});
   fails("filter=bilinaer", {"did you mean \"bilinear\"?"});
-  fails("power_bits=6", {"--set power_bits=6", "at least 10"});
+  fails("power_bits=6", {"--set power_bits=6", "at least dot_bits (10)"});
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ TEST(ObjScene, BumpIsHeightUnlessItHoldsNormals) {
   const auto normal = [&](const std::string& line) {
     folder.write("a b.mtl", "newmtl m\n" + line + "\n");
     const auto texture = read_scene(path).objects.at(0).texture;
-    return texture ? texture->levels[0][3 * 8 + 3] : std::array<float, 6>{};
+    return texture ? texture->levels[0][3 * 8 + 3].bump : std::array<float, kMaxBumpComponents>{};
   };
   const auto as_normal = normal("norm normal map.png");
   EXPECT_NEAR(as_normal[0], 2 * 102.0 / 255 - 1, 1e-6);

@@ -149,9 +149,10 @@ TEST(Interpolate, CrossProductsStayWithinTheirBound) {
             const auto error = [&](std::int64_t value, double exact) {
               return static_cast<double>(value) - std::ldexp(exact, config.wide_bits);
             };
-            planes.see(error(batch.interpolate_a[0][i], want.a.x) / bound);
-            planes.see(error(batch.interpolate_a[2][i], want.a.z) / bound);
-            const double b = error(batch.interpolate_b[1][i], want.b.y), c = error(batch.interpolate_c[2][i], want.c.z);
+            planes.see(error(batch.interpolate_frame[0][i], want.frame[0].x) / bound);
+            planes.see(error(batch.interpolate_frame[2][i], want.frame[0].z) / bound);
+            const double b = error(batch.interpolate_frame[4][i], want.frame[1].y),
+                         c = error(batch.interpolate_frame[8][i], want.frame[2].z);
             if (cross == 0)
               planes.see(b / bound), planes.see(c / bound);
             else
@@ -188,7 +189,7 @@ TEST(Interpolate, StaysWithinItsBoundOfThePlanes) {
             worst.see(error / bound, "round " + std::to_string(round));
             if (guard == 10) lsb.see(error);
           };
-          see(batch.interpolate_n[0][i], want.n.x, config.vector_bits);
+          see(batch.interpolate_frame[0][i], want.frame[0].x, config.vector_bits);
           see(batch.interpolate_l[1][i], want.l.y, config.vector_bits);
           see(batch.interpolate_h[2][i], want.h.z, config.vector_bits);
           see(batch.interpolate_z[0][i], want.z, config.depth_bits);

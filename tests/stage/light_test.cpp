@@ -10,7 +10,7 @@ namespace {
 
 using Batch64 = Batch<std::int64_t>;
 
-Vec3 real(const std::array<Batch64::Column, 3>& columns, std::size_t i, int fraction_bits) {
+Vec3 real(Columns<std::int64_t> columns, std::size_t i, int fraction_bits) {
   const auto scaled = [&](std::size_t k) { return std::ldexp(static_cast<double>(columns[k][i]), -fraction_bits); };
   return {scaled(0), scaled(1), scaled(2)};
 }
@@ -18,8 +18,7 @@ Vec3 real(const std::array<Batch64::Column, 3>& columns, std::size_t i, int frac
 TEST(Light, LanesAgree) { expect_lanes_agree(kLight, 8); }
 
 // The vector times its scale, where it has one.
-Vec3 real(const Config& config, const Batch64& batch, const std::array<Batch64::Column, 3>& columns, std::size_t k,
-          std::size_t i) {
+Vec3 real(const Config& config, const Batch64& batch, Columns<std::int64_t> columns, std::size_t k, std::size_t i) {
   const Vec3 v = real(columns, i, config.unit_bits);
   return config.normalizes_after()
              ? std::ldexp(static_cast<double>(batch.normalize_scale[k][i]), -config.scale_bits()) * v
@@ -28,7 +27,7 @@ Vec3 real(const Config& config, const Batch64& batch, const std::array<Batch64::
 
 // Of N.L and N.H in ulp of u1.DF: half for the result, and where it is scaled, half of the dot product by the scales
 // and the other way round.
-double dot_bound(const Config& config, const Batch64& batch, const std::array<Batch64::Column, 3>& other, std::size_t k,
+double dot_bound(const Config& config, const Batch64& batch, Columns<std::int64_t> other, std::size_t k,
                  std::size_t i) {
   if (!config.normalizes_after()) return 0.5;
   const auto scale = [&](std::size_t e) {
@@ -59,7 +58,7 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
     SCOPED_TRACE(name);
     Random random(++seed);
     Context context = random_context(config, random);
-    auto batch = std::make_unique<Batch64>();
+    auto batch = std::make_unique<Batch64>(context.config);
     fill(config, seed, *batch);
     batch->count = kBatch;
     batch = run_one(context, kLight, std::move(batch));
@@ -68,10 +67,10 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
     const double one = std::ldexp(1.0, config.dot_bits);
     for (std::size_t i = 0; i < kBatch; ++i) {
       const Vec3 n = real(config, *batch, batch->normalize_n, 0, i), l = real(config, *batch, batch->normalize_l, 1, i),
-                 h = real(config, *batch, batch->normalize_h, 2, i);
+                 h = config.has_specular() ? real(config, *batch, batch->normalize_h, 2, i) : Vec3{};
       const bool after = config.normalizes_after();
       const double nl_bound = dot_bound(config, *batch, batch->normalize_l, 1, i);
-      const double nh_bound = dot_bound(config, *batch, batch->normalize_h, 2, i);
+      const double nh_bound = config.has_specular() ? dot_bound(config, *batch, batch->normalize_h, 2, i) : 0;
       DrawWords words = draw;
       words.shadow = shadowed;
       const exact::Lit lit = exact::light(config, words, n, l, h, l.z);
@@ -108,7 +107,7 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
 // Sets N, L, H of fragment 0 and shades it.
 struct Lighting1 {
   Context context;
-  std::unique_ptr<Batch64> batch = std::make_unique<Batch64>();
+  std::unique_ptr<Batch64> batch = std::make_unique<Batch64>(context.config);
   explicit Lighting1(const Config& config, DrawWords draw = {}) : context(make_context(config)) {
     set_draw(context, draw, nullptr);
     batch->count = 1;
@@ -117,7 +116,7 @@ struct Lighting1 {
     for (std::size_t k = 0; k < 3; ++k) {
       batch->normalize_n[k][0] = n[k];
       batch->normalize_l[k][0] = l[k];
-      batch->normalize_h[k][0] = h[k];
+      if (!batch->normalize_h.empty()) batch->normalize_h[k][0] = h[k];
     }
     batch = run_one(context, kLight, std::move(batch));
   }

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "golden/pixel/single.h"
+#include "golden/pixel/probe.h"
 #include "tests/stage/support.h"
 
 namespace wrinkle {
@@ -32,7 +32,7 @@ class Unit {
 
  private:
   Context context_;
-  std::unique_ptr<Batch<std::int64_t>> batch_ = std::make_unique<Batch<std::int64_t>>();
+  std::unique_ptr<Batch<std::int64_t>> batch_ = std::make_unique<Batch<std::int64_t>>(context_.config);
   std::unique_ptr<Spans<std::int64_t>> spans_ = std::make_unique<Spans<std::int64_t>>();
 };
 
@@ -186,7 +186,7 @@ class DeferredUnit {
 
  private:
   Context context_;
-  std::unique_ptr<Batch<std::int64_t>> batch_ = std::make_unique<Batch<std::int64_t>>();
+  std::unique_ptr<Batch<std::int64_t>> batch_ = std::make_unique<Batch<std::int64_t>>(context_.config);
   std::unique_ptr<Spans<std::int64_t>> spans_ = std::make_unique<Spans<std::int64_t>>();
 };
 
@@ -250,7 +250,7 @@ TEST_P(NormalizeF, ExtremesOfMantissas) {
 TEST_P(NormalizeF, ZeroIsFlagged) {
   Unit unit(f(), 10);
   Context context = make_context(unit.config());
-  auto batch = std::make_unique<Batch<std::int64_t>>();
+  auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
   batch->count = 4;  // none zero; N, L, H zero in turn
   for (std::size_t i = 0; i < 4; ++i) {
     batch->perturb_n[0][i] = i == 1 ? 0 : 3;

@@ -17,7 +17,7 @@ TEST(Output, ColourStaysWithinItsBound) {
     SCOPED_TRACE(name);
     Random random(++seed);
     const Context context = random_context(config, random);
-    auto batch = std::make_unique<Batch<std::int64_t>>();
+    auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
     fill(config, seed, *batch);
     batch->count = kBatch;
     batch = run_one(context, kOutput, std::move(batch));
@@ -29,9 +29,10 @@ TEST(Output, ColourStaysWithinItsBound) {
         lit.diffuse = std::ldexp(static_cast<double>(batch->light_diffuse[0][i]), -config.dot_bits);
         if (config.has_specular())
           lit.specular = std::ldexp(static_cast<double>(batch->light_specular[0][i]), -config.power_bits);
-        const double code = static_cast<double>(batch->texture_decal[k][i]) / ((1 << config.texel_bits) - 1);
+        const double code =
+            config.decal == 0 ? 1 : static_cast<double>(batch->texture_decal[k][i]) / ((1 << config.texel_bits) - 1);
         const double exact = exact::shade(unit(context.draw.ambient[k]), unit(context.draw.diffuse[k]),
-                                          unit(context.draw.specular[k]), config.decal != 0 ? code : 1, lit);
+                                          unit(context.draw.specular[k]), code, lit);
         const double error = static_cast<double>(batch->output_colour[k][i]) - full * exact;
         // The decal code / (2^T - 1) as (code + its top bit) / 2^T is right to 2^-(T+1), of a base up to 2.
         const double code_error = full * 2 * std::ldexp(0.51, -config.texel_bits);
@@ -52,7 +53,7 @@ TEST(Output, ExtremesOfColour) {
     draw.diffuse = {one, one, 0};
     draw.specular = {one, 0, 0};
     set_draw(context, draw, nullptr);
-    auto batch = std::make_unique<Batch<std::int64_t>>();
+    auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
     batch->count = 1;
     batch->light_diffuse[0][0] = 1 << context.config.dot_bits;
     batch->light_specular[0][0] = 1 << context.config.power_bits;
@@ -72,14 +73,16 @@ TEST(Output, WhiteDecalIsNeutral) {
     const DrawWords draw = random_draw(plain, random);
     set_draw(a, draw, nullptr);
     set_draw(b, draw, nullptr);
-    auto first = std::make_unique<Batch<std::int64_t>>();
+    auto first = std::make_unique<Batch<std::int64_t>>(a.config),
+         second = std::make_unique<Batch<std::int64_t>>(b.config);
     fill(plain, base_seed() + static_cast<std::uint64_t>(round), *first);
-    auto second = std::make_unique<Batch<std::int64_t>>(*first);
+    std::ranges::copy(first->light_diffuse, second->light_diffuse.begin());
+    std::ranges::copy(first->light_specular, second->light_specular.begin());
     for (auto& column : second->texture_decal) column.fill((1 << plain.texel_bits) - 1);
     first->count = second->count = kBatch;
     first = run_one(a, kOutput, std::move(first));
     second = run_one(b, kOutput, std::move(second));
-    EXPECT_EQ(first->output_colour, second->output_colour);
+    EXPECT_TRUE(std::ranges::equal(first->output_colour, second->output_colour));
   }
 }
 

@@ -10,7 +10,7 @@ TEST(Perspective, LanesAgree) { expect_lanes_agree(kPerspective, 8); }
 
 // u of one fragment.
 std::int64_t divide(const Context& context, std::int64_t uq, std::int64_t q) {
-  auto batch = std::make_unique<Batch<std::int64_t>>();
+  auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
   batch->count = 1;
   batch->interpolate_u[0][0] = uq;
   batch->interpolate_q[0][0] = q;

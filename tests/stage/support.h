@@ -157,23 +157,15 @@ template <class Int>
 void fill(const Config& config, std::uint64_t seed, Batch<Int>& batch) {
   Random random(seed);
   const std::vector<Value> list = values(config);
-  std::size_t index = 0;
-  const auto fill_value = [&](auto& columns) {
-    const Value& value = list[index++];
-    if (!value.present) return;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(value.elements); ++k)
-      for (std::size_t i = 0; i < kBatch; ++i)
-        columns[k][i] = static_cast<Int>(pattern(random, range_of(config, value)));
-  };
-#define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present) fill_value(batch.stage##_##name);
-#include "golden/pixel/components.def"
-#undef WRINKLE_VALUE
+  for (std::size_t v = 0; v < list.size(); ++v)
+    for (auto& column : batch.value[v])
+      for (std::size_t i = 0; i < kBatch; ++i) column[i] = static_cast<Int>(pattern(random, range_of(config, list[v])));
 }
 
 // Draw states of all kinds.
 inline DrawWords random_draw(const Config& config, Random& random) {
   DrawWords draw;
-  draw.bump = config.has_bump() && uniform(random, 0, 2) != 0;
+  draw.bump = Shape(config).bump_components != 0 && uniform(random, 0, 2) != 0;
   draw.textured = config.has_texture() && (draw.bump || config.decal != 0);
   draw.shadow = uniform(random, 0, 1) != 0;
   draw.exponent_zero = uniform(random, 0, 7) == 0;
@@ -215,8 +207,9 @@ inline Context random_context(const Config& config, Random& random) {
   const DrawWords draw = random_draw(config, random);
   std::shared_ptr<const BoundTexture> texture;
   if (draw.textured)
-    texture = std::make_shared<BoundTexture>(bind_texture(
-        random_texture(config, draw, random), static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v)));
+    texture =
+        std::make_shared<BoundTexture>(bind_texture(random_texture(config, draw, random), Shape(config).bump_components,
+                                                    static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v)));
   set_draw(context, draw, std::move(texture));
   return context;
 }
@@ -257,7 +250,7 @@ inline void expect_lanes_agree(unsigned stage, int rounds = 4) {
       Random random(seed);
       const Context context = random_context(config, random);
       const auto run = [&]<class Int>(Lanes lanes, Int) {
-        auto batch = std::make_unique<Batch<Int>>();
+        auto batch = std::make_unique<Batch<Int>>(config);
         fill(config, seed, *batch);
         batch->count = round == 0 ? 1 : kBatch - 5 * round;
         run_stages(lanes, context, stage, *std::make_unique<Spans<Int>>(), *batch);

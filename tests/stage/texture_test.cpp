@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "golden/pixel/single.h"
+#include "golden/pixel/probe.h"
 #include "tests/stage/support.h"
 
 namespace wrinkle {
@@ -20,16 +20,17 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
   const double centre = std::ldexp(1.0, t) - (config.decode == 0 ? 1 : 0);
   for (const auto& level : texture.levels) {
     auto& texels = out.levels.emplace_back();
-    for (std::uint64_t word : level) {
-      std::array<float, 6> texel{};
+    for (std::size_t i = 0; i < level.size() / static_cast<std::size_t>(texture.texel_words()); ++i) {
+      ExactTexel texel;
       for (std::size_t k = 0; k < static_cast<std::size_t>(texture.components); ++k) {
-        const double code = static_cast<double>(word >> (k * static_cast<std::size_t>(t)) & ((1u << t) - 1));
+        const double code = static_cast<double>(texture.code(level, i, static_cast<int>(k)));
         const auto bump = static_cast<std::size_t>(Shape(config).bump_components);
         const double half = std::ldexp(1.0, t - 1);
         if (k >= bump)
-          texel[k - bump + 3] = static_cast<float>(std::ldexp(code, -t));
+          texel.colour[k - bump] = static_cast<float>(std::ldexp(code, -t));
         else
-          texel[k] = static_cast<float>(config.has_blinn() ? code / half - 1 : std::ldexp(2 * code - centre, -t));
+          texel.bump[k] = static_cast<float>(Shape(config).bump_saturates != 0 ? code / half - 1
+                                                                               : std::ldexp(2 * code - centre, -t));
       }
       texels.push_back(texel);
     }
@@ -42,7 +43,8 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
 TEST(Texture, SamplesStayWithinTheirBounds) {
   Worst normal("texture normal, share of 2^(1-B) + ulp/2", 1);
   // One ulp: what rounds up to 1 saturates.
-  Worst gradient("texture gradient, share of 2^(1-B) + ulp", 1), decal("texture decal, share of 2^-B + ulp/2", 1);
+  Worst saturated("texture slope or offset, share of 2^(1-B) + ulp", 1),
+      decal("texture decal, share of 2^-B + ulp/2", 1);
   std::uint64_t seed = base_seed();
   for (auto [name, config] : configurations(60)) {
     if (!config.has_texture()) continue;
@@ -53,10 +55,11 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
     const Texture texture = random_texture(config, draw, random);
     const ExactTexture exact_texture = decoded(config, texture);
     Context context = make_context(config);
-    set_draw(context, draw,
-             std::make_shared<BoundTexture>(
-                 bind_texture(texture, static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v))));
-    auto batch = std::make_unique<Batch<std::int64_t>>();
+    set_draw(
+        context, draw,
+        std::make_shared<BoundTexture>(bind_texture(texture, context.config.bump_components,
+                                                    static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v))));
+    auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
     fill(config, seed, *batch);
     batch->count = kBatch;
     batch = run_one(context, kTexture, std::move(batch));
@@ -64,22 +67,24 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
     const auto& v = config.perspective != 0 ? batch->perspective_v[0] : batch->interpolate_v[0];
     const int b = config.weight_fraction_bits();
     const double weight_error = b == 0 ? 0 : std::ldexp(1.0, -b);
-    const double n_ulp = std::ldexp(1.0, -config.vector_bits), decal_ulp = std::ldexp(1.0, -config.texel_bits);
+    const double bump_ulp = std::ldexp(1.0, -context.config.bump_fraction),
+                 decal_ulp = std::ldexp(1.0, -config.texel_bits);
     for (std::size_t i = 0; i < kBatch; ++i) {
       const auto real = [](std::int64_t x, int bits) { return std::ldexp(static_cast<double>(x), -bits); };
       double lod = real(batch->interpolate_lod[0][i], config.lod_fraction_bits());
       // Without a trilinear filter the level of detail is a whole level already.
       const exact::Sample want =
           exact::sample(config, draw, exact_texture, {real(u[i], config.uv_bits), real(v[i], config.uv_bits)}, lod);
+      for (std::size_t k = 0; k < batch->texture_bump.size(); ++k) {
+        const double error = real(batch->texture_bump[k][i], context.config.bump_fraction) - want.bump[k];
+        if (context.config.bump_saturates != 0)
+          saturated.see(error / (2 * weight_error + bump_ulp + 1e-6));
+        else
+          normal.see(error / (2 * weight_error + bump_ulp / 2 + 1e-6));
+      }
       for (std::size_t k = 0; k < 3; ++k) {
-        if (config.has_blinn() && k < 2)
-          gradient.see((real(batch->texture_gradient[k][i], config.gradient_bits) - want[k]) /
-                       (2 * weight_error + std::ldexp(1.0, -config.gradient_bits) + 1e-6));
-        if (config.has_texture_normal())
-          normal.see((real(batch->texture_n[k][i], config.vector_bits) - want[k]) /
-                     (2 * weight_error + n_ulp / 2 + 1e-6));
         if (config.decal != 0)
-          decal.see((real(batch->texture_decal[k][i], config.texel_bits) - want[k + 3]) /
+          decal.see((real(batch->texture_decal[k][i], config.texel_bits) - want.colour[k]) /
                     (weight_error + decal_ulp / 2 + 1e-6));
       }
     }
@@ -98,12 +103,12 @@ TEST(Texture, SlopesAreSigned) {
       Context context = make_context(config);
       DrawWords draw;
       draw.bump = draw.textured = true;
-      set_draw(context, draw, std::make_shared<BoundTexture>(bind_texture(texture, Wrap::kRepeat, Wrap::kRepeat)));
-      auto batch = std::make_unique<Batch<std::int64_t>>();
+      set_draw(context, draw, std::make_shared<BoundTexture>(bind_texture(texture, 2, Wrap::kRepeat, Wrap::kRepeat)));
+      auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
       batch->count = 1;
       batch = run_one(context, kTexture, std::move(batch));
-      EXPECT_EQ(batch->texture_gradient[0][0], slope);
-      EXPECT_EQ(batch->texture_gradient[1][0], -slope - 4);
+      EXPECT_EQ(batch->texture_bump[0][0], slope);
+      EXPECT_EQ(batch->texture_bump[1][0], -slope - 4);
     }
   }
 }
@@ -133,7 +138,7 @@ TEST(Texture, ConstantStaysConstant) {
       const auto sample = sample_texture(config, texture, static_cast<Wrap>(i % 3), static_cast<Wrap>(i / 3 % 3),
                                          pattern(random, {-(1 << 21), (1 << 21) - 1}),
                                          pattern(random, {-(1 << 21), (1 << 21) - 1}), uniform(random, -64, 400));
-      ASSERT_EQ(sample.n, (std::array<std::int64_t, 3>{xy, xy, z}));
+      ASSERT_EQ(sample.bump, (std::vector<std::int64_t>{xy, xy, z}));
     }
   }
 }
@@ -166,11 +171,11 @@ TEST(Texture, WrapsAtItsEnds) {
     const int positions[] = {-1, 0, 15, 16};
     for (std::size_t k = 0; k < 4; ++k) {
       const std::int64_t u = positions[k] * texel + texel / 2;
-      EXPECT_EQ(code_of(sample_texture(config, texture, c.wrap, c.wrap, u, texel / 2, 0).n[0]), c.x[k]) << k;
-      EXPECT_EQ(code_of(sample_texture(config, texture, c.wrap, c.wrap, texel / 2, u, 0).n[1]), c.x[k]) << k;
+      EXPECT_EQ(code_of(sample_texture(config, texture, c.wrap, c.wrap, u, texel / 2, 0).bump[0]), c.x[k]) << k;
+      EXPECT_EQ(code_of(sample_texture(config, texture, c.wrap, c.wrap, texel / 2, u, 0).bump[1]), c.x[k]) << k;
       if (c.wrap == Wrap::kClamp) continue;
       const std::int64_t far = u - (8 << config.uv_bits) + (k == 0 ? 2 << config.uv_bits : 0);
-      EXPECT_EQ(code_of(sample_texture(config, texture, c.wrap, c.wrap, far, texel / 2, 0).n[0]), c.x[k])
+      EXPECT_EQ(code_of(sample_texture(config, texture, c.wrap, c.wrap, far, texel / 2, 0).bump[0]), c.x[k])
           << "40: an even number of repeats away, " << k;
     }
   }
@@ -181,7 +186,7 @@ TEST(Texture, FiltersOverTheSeam) {
   const Config config = offset_config();
   const Texture texture = ramp(config, 4);
   const auto x = [&](Wrap wrap, std::int64_t u) {
-    return code_of(sample_texture(config, texture, wrap, wrap, u, 1 << (config.uv_bits - 5), 0).n[0]);
+    return code_of(sample_texture(config, texture, wrap, wrap, u, 1 << (config.uv_bits - 5), 0).bump[0]);
   };
   EXPECT_EQ(x(Wrap::kRepeat, 0), 7.5);
   EXPECT_EQ(x(Wrap::kClamp, 0), 0);
@@ -196,7 +201,7 @@ TEST(Texture, LevelsOfDetail) {
   const Config config = offset_config();
   const Texture texture = ramp(config, 4);
   const auto level = [&](std::int64_t lod) {
-    return code_of(sample_texture(config, texture, Wrap::kRepeat, Wrap::kRepeat, 12345, -54321, lod).n[2]);
+    return code_of(sample_texture(config, texture, Wrap::kRepeat, Wrap::kRepeat, 12345, -54321, lod).bump[2]);
   };
   const std::int64_t one = 1 << config.lod_bits;
   EXPECT_EQ(level(-one), 0);
@@ -207,7 +212,7 @@ TEST(Texture, LevelsOfDetail) {
   EXPECT_EQ(level(4 * one + 1), 4) << "43: above the last level";
   EXPECT_EQ(level(9 * one), 4);
   const Texture dot = constant_texture(config, 0x332211, 0);
-  EXPECT_EQ(code_of(sample_texture(config, dot, Wrap::kRepeat, Wrap::kMirror, 7777, -7777, 99).n[2]), 0x33) << "41";
+  EXPECT_EQ(code_of(sample_texture(config, dot, Wrap::kRepeat, Wrap::kMirror, 7777, -7777, 99).bump[2]), 0x33) << "41";
 }
 
 // 44, 45: opposed texels average to the zero vector.
@@ -216,13 +221,13 @@ TEST(Texture, OpposedTexelsCancel) {
   Texture texture = constant_texture(config, 0, 1);
   texture.levels[0] = {0xffffff, 0x000000, 0x000000, 0xffffff};
   const std::int64_t corner = 1 << (config.uv_bits - 1);
-  EXPECT_EQ(sample_texture(config, texture, Wrap::kRepeat, Wrap::kRepeat, corner, corner, 0).n,
-            (std::array<std::int64_t, 3>{0, 0, 0}))
+  EXPECT_EQ(sample_texture(config, texture, Wrap::kRepeat, Wrap::kRepeat, corner, corner, 0).bump,
+            (std::vector<std::int64_t>{0, 0, 0}))
       << "45: checker";
   Texture levels = constant_texture(config, 0xffffff, 1);
   levels.levels[1] = {0};
-  EXPECT_EQ(sample_texture(config, levels, Wrap::kRepeat, Wrap::kRepeat, 0, 0, 1 << (config.lod_bits - 1)).n,
-            (std::array<std::int64_t, 3>{0, 0, 0}))
+  EXPECT_EQ(sample_texture(config, levels, Wrap::kRepeat, Wrap::kRepeat, 0, 0, 1 << (config.lod_bits - 1)).bump,
+            (std::vector<std::int64_t>{0, 0, 0}))
       << "44: half way between opposed levels";
 }
 
@@ -230,11 +235,11 @@ TEST(Texture, WithoutTexelsNormalIsZeroAndDecalWhite) {
   const Config config = with({{&Config::decal, 1}});
   Context context = make_context(config);
   set_draw(context, {}, nullptr);
-  auto batch = std::make_unique<Batch<std::int64_t>>();
+  auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
   batch->count = 1;
-  batch->texture_n[1][0] = batch->texture_decal[1][0] = 77;
+  batch->texture_bump[1][0] = batch->texture_decal[1][0] = 77;
   batch = run_one(context, kTexture, std::move(batch));
-  EXPECT_EQ(batch->texture_n[1][0], 0);
+  EXPECT_EQ(batch->texture_bump[1][0], 0);
   EXPECT_EQ(batch->texture_decal[1][0], 255);
 }
 
@@ -260,7 +265,7 @@ TEST(Texture, SamplesMadeElsewhere) {
       double expected;
       fields >> mode >> u >> v >> lod >> expected;
       const auto wrap = static_cast<Wrap>(mode);
-      const auto n = sample_texture(config, texture, wrap, wrap, u, v, lod).n[0];
+      const auto n = sample_texture(config, texture, wrap, wrap, u, v, lod).bump[0];
       const double code = (std::ldexp(static_cast<double>(n), -10) + 256) / 2;
       (lod <= 256 ? large : all).see(code - expected, line);
       ++count;

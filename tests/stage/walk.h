@@ -26,7 +26,7 @@ inline ScreenTriangle random_triangle(const Config& config, Random& random, int 
     v.N = normalize({unit(), unit(), 1});
     v.L = normalize({unit(), unit(), 1});
     v.H = normalize({unit(), unit(), 1});
-    for (Vec3* w : {&v.A, &v.B, &v.C}) *w = 0.9 * normalize({unit(), unit(), unit()});
+    for (Vec3& w : v.frame) w = 0.9 * normalize({unit(), unit(), unit()});
   }
   return triangle;
 }

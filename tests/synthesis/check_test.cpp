@@ -185,6 +185,16 @@ TEST_F(NetlistCheck, LibertyFunctionsAreThoseOfTheVendorsVerilog) {
   }
 }
 
+// A module that has a map is made of the map, whose adders are cells, and is compared with the Verilog of rtl/, which
+// Icarus reads and the cells of a map it would not.
+TEST_F(NetlistCheck, WhatHasAMapIsComparedWithItsVerilog) {
+  SynthesisOptions options;
+  options.cache = options_.folder / "cache";
+  const SynthesisResult result = synthesise("wrinkle_truncated_squares", {{"BITS", 5}}, CellLibrary::kOsu035, options);
+  EXPECT_GE(result.checked.clocks, 2000);
+  EXPECT_GT(result.cells.at("FAX1"), 20);
+}
+
 // The old map of adders, kept as a file of this test.
 TEST_F(NetlistCheck, GuessedAddersAreRefused) {
   SynthesisOptions options;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "golden/config/config.h"
 #include "golden/texel/texture.h"
@@ -18,7 +19,7 @@ std::int64_t rsqrt_of(int unit_bits, std::int64_t t);
 
 // texture at explicit coordinates: u and v as s(UI-1).UF, lod as s5.LB.
 struct TextureSample {
-  std::array<std::int64_t, 3> n{};      // s1.V
+  std::vector<std::int64_t> bump;       // as the datapath has it
   std::array<std::int64_t, 3> decal{};  // u0.T
 };
 TextureSample sample_texture(const Shape& config, const Texture& texture, Wrap wrap_u, Wrap wrap_v, std::int64_t u,
