@@ -20,7 +20,7 @@ def area(name, changes):
     return {"name": name, "library": "made up", "um2": sum(s["um2"] for s in stages),
             "nand2": sum(s["nand2"] for s in stages), "flip_flops": 5000,
             "nand2_given": sum(s["nand2"] for s in stages if s["given"]), "critical_path_ns": 9.25,
-            "deviation": 0.01, "stages": stages}
+            "deviation": 0.01, "checked": {"clocks": 1234, "different": 0}, "stages": stages}
 
 
 report = json.load(open(sys.argv[1]))

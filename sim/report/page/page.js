@@ -188,7 +188,7 @@ function drawTrade() {
     ...(withArea ? [
       ['NAND2', c => fixed(c.area && c.area.nand2, 0)], ['flip-flops', c => fixed(c.area && c.area.flip_flops, 0)],
       ['critical path ns', c => fixed(c.area && c.area.critical_path_ns, 2)],
-      ['clocks equal to the Verilog', c => fixed(c.area && c.area.checked.clocks, 0)]] : []),
+      ['clocks equal to the Verilog', c => fixed(c.area?.checked?.clocks, 0)]] : []),
     ['precision dB', c => decibels(c.error.precision.psnr_db)], ['method dB', c => decibels(c.error.method.psnr_db)],
     ['SSIM', c => fixed(c.error.precision.ssim, 5)],
   ]);
