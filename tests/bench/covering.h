@@ -9,6 +9,7 @@
 
 #include "golden/config/config.h"
 #include "golden/datapath/datapaths.h"
+#include "tb/random_config.h"
 #include "tb/stall.h"
 
 namespace wrinkle {
@@ -63,19 +64,8 @@ inline void make_legal(Config& c, Random& random) {
   c.power_bits = std::max(c.power_bits, c.dot_bits);
   c.reciprocal_bits = std::max(c.reciprocal_bits, std::min(c.q_bits - 1, 20));
   c.q_bits = std::min(c.q_bits, c.reciprocal_bits + 1);
-  if (c.sharing != 0) {
-    c.datapath = random.between(0, 1);
-    c.light_vectors = c.normalize_order = 0;
-    c.lighting = static_cast<int>(Lighting::kHalfangle);
-    c.normalizer_n = std::max(c.normalizer_n, static_cast<int>(Normalizer::kFaithful));
-    c.normalizer_l = c.normalizer_h = c.normalizer_n;
-  }
-  if (c.normalizes_after()) {
-    c.datapath = random.between(0, 2);
-    c.light_vectors = c.self_shadow = 0;
-    c.lighting = random.between(0, 1);
-    c.normalizer_n = c.normalizer_l = c.normalizer_h = static_cast<int>(Normalizer::kFaithful);
-  }
+  if (c.sharing != 0) share_units(c);
+  if (c.normalizes_after()) normalize_after(c);
   if (!c.has_normal()) c.light_vectors = 0;
   const auto of_any_length = [&] { return random.between(1, 3); };
   if (c.has_blinn()) c.normalizer_n = of_any_length();

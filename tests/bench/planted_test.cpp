@@ -1,7 +1,6 @@
 // The bench itself is tested: a wrong bit planted in each stage in turn is found, and the stage is named.
 // Slow: each case builds a model of its own.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,10 +10,10 @@
 #include <vector>
 
 #include "tb/bench.h"
-#include "tb/process.h"
 #include "tb/random_frame.h"
 #include "tb/random_packets.h"
 #include "tests/bench/configurations.h"
+#include "tests/bench/verilog_copy.h"
 
 namespace wrinkle {
 namespace {
@@ -27,8 +26,9 @@ struct Planted {
   std::vector<std::pair<std::string, std::string>> edits;  // text, and what is put in its place
   std::string stage, value;                                // as it must be named
   Difference::Kind kind = Difference::Kind::kValue;
-  std::string rival = {};   // which of rivals(); empty: small_config()
-  bool by_packets = false;  // only by packets that set-up never sends
+  std::string rival = {};         // which of rivals(); empty: small_config()
+  bool by_packets = false;        // only by packets that set-up never sends
+  bool inverts_payloads = false;  // only where payloads are inverted while they are not valid
 
   Config config() const {
     for (const Rival& r : rivals())
@@ -232,6 +232,21 @@ const std::vector<Planted>& cases() {
        "nl",
        Kind::kValue,
        "shared"},
+      {"light_looks_after_the_transfer",
+       "unit/wrinkle_shared_light.v",
+       {{"wire [3*W-1:0]            other = second_q ?",
+         "reg [3*W-1:0] n_q;\n  always @(posedge clk) n_q <= n_i;\n"
+         "  wire [3*W-1:0] n = third_q ? n_q : n_i;\n  wire [3*W-1:0] other = third_q ?"},
+        {".a_i(n_i[0 ", ".a_i(n[0 "},
+        {".a_i(n_i[W ", ".a_i(n[W "},
+        {".a_i(n_i[2*W ", ".a_i(n[2*W "},
+        {"if (second_q) nl_q <= dot;", "if (third_q) nl_q <= dot;"}},
+       "light",
+       "nl",
+       Kind::kValue,
+       "shared",
+       false,
+       true},
       {"payload_changes_while_stalled",
        "wrinkle_core.v",
        {{"= output_others[2*SCREEN_BITS-1:0];",
@@ -314,10 +329,7 @@ const std::vector<Planted>& cases() {
 
 // A copy of the Verilog with the edits made; each must fit.
 fs::path plant(const Planted& planted) {
-  const fs::path root = fs::path(testing::TempDir()) / ("wrinkle_planted_" + std::to_string(getpid())) / planted.name;
-  fs::remove_all(root);
-  fs::create_directories(root);
-  fs::copy(fs::path(WRINKLE_SOURCE_DIR) / "rtl", root / "rtl", fs::copy_options::recursive);
+  const fs::path root = copy_verilog(planted.name);
   const fs::path file = root / "rtl" / planted.file;
   std::string text = read_text(file);
   for (const auto& [from, to] : planted.edits) {
@@ -329,6 +341,7 @@ fs::path plant(const Planted& planted) {
     text.replace(at, from.size(), to);
   }
   std::ofstream(file) << text;
+  if (planted.inverts_payloads) invert_payloads_that_are_not_valid(root);
   return root;
 }
 
