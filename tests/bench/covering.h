@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -35,14 +36,19 @@ inline bool is_in_use(const Config& c, std::string_view name) {
   return true;
 }
 
-// A value of a parameter.
+// A value of a parameter; or the kind of a normalizer, and F.
 using Setting = std::pair<std::string_view, int>;
+constexpr std::array<std::string_view, 5> kKinds{"none", "faithful", "compact", "lite", "near"};
 
 inline std::set<Setting> settings_in_use(const Config& config) {
   std::set<Setting> settings;
-  for (const Parameter& parameter : parameters())
-    if (parameter.scope == Scope::core && is_in_use(config, parameter.name))
-      settings.emplace(parameter.name, config.*parameter.member);
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.scope != Scope::core || !is_in_use(config, parameter.name)) continue;
+    const int value = config.*parameter.member;
+    settings.emplace(parameter.name, value);
+    if (parameter.name.starts_with("normalizer_") && !config.normalizes_after())
+      settings.emplace(kKinds[static_cast<std::size_t>(value)], config.unit_bits);
+  }
   return settings;
 }
 
@@ -51,7 +57,11 @@ inline std::set<Setting> all_settings() {
   std::set<Setting> settings;
   for (const Parameter& parameter : parameters()) {
     if (parameter.scope != Scope::core) continue;
-    for (int value = parameter.minimum; value <= parameter.maximum; ++value) settings.emplace(parameter.name, value);
+    for (int value = parameter.minimum; value <= parameter.maximum; ++value) {
+      settings.emplace(parameter.name, value);
+      if (parameter.name == "unit_bits")
+        for (const std::string_view kind : kKinds) settings.emplace(kind, value);
+    }
   }
   // Wider than 1 + reciprocal_bits q is only without `perspective`, where nothing reads it.
   for (int bits = 22; bits <= 24; ++bits) settings.erase({"q_bits", bits});
@@ -94,15 +104,7 @@ inline Config candidate(const std::set<Setting>& wanted, Random& random) {
   return config;
 }
 
-// Compact normalizers of long vectors take long to build: bits of F beyond 8, over the units that are such.
-inline double cost(const Config& c) {
-  double bits = 0;
-  for (const int kind : {c.normalizer_n, c.normalizer_l, c.normalizer_h})
-    if (kind >= static_cast<int>(Normalizer::kCompact)) bits += std::max(0, c.unit_bits - 8);
-  return bits;
-}
-
-// Greedy: of many candidates the one that has most of what is still wanted for its cost, until nothing is.
+// Greedy: of many candidates the one that has most of what is still wanted, until nothing is.
 inline const std::vector<Config>& covering_configs() {
   static const std::vector<Config> configs = [] {
     Random random(1);
@@ -110,15 +112,14 @@ inline const std::vector<Config>& covering_configs() {
     std::set<Setting> wanted = all_settings();
     while (!wanted.empty()) {
       Config best;
-      double most = -1000;
-      for (int i = 0; i < 300 || most == -1000; ++i) {
+      int most = 0;
+      for (int i = 0; i < 300 || most == 0; ++i) {
         const Config config = candidate(wanted, random);
         int count = 0;
         for (const Setting& setting : settings_in_use(config)) count += wanted.contains(setting);
-        const double score = count - cost(config);
-        if (count == 0 || score <= most) continue;
+        if (count <= most) continue;
         best = config;
-        most = score;
+        most = count;
       }
       for (const Setting& setting : settings_in_use(best)) wanted.erase(setting);
       chosen.push_back(best);
