@@ -277,7 +277,7 @@ const std::vector<Planted>& cases() {
       {"packet_counts_32_words",
        "stage/wrinkle_packet.v",
        {{"opcode ? FIRST : index_q + FIRST", "opcode ? FIRST : {1'b0, index_q[INDEX-2:0]} + FIRST"}},
-       "",
+       "scan",
        "",
        Kind::kHang,
        "longest_packet",
