@@ -26,9 +26,9 @@ struct Planted {
   std::vector<std::pair<std::string, std::string>> edits;  // text, and what is put in its place
   std::string stage, value;                                // as it must be named
   Difference::Kind kind = Difference::Kind::kValue;
-  std::string rival = {};         // which of rivals(); empty: small_config()
-  bool by_packets = false;        // only by packets that set-up never sends
-  bool inverts_payloads = false;  // only where payloads are inverted while they are not valid
+  std::string rival = {};   // which of rivals(); empty: small_config()
+  bool by_packets = false;  // only by packets that set-up never sends
+  bool by_law = false;      // only where the law of the streams is watched
 
   Config config() const {
     for (const Rival& r : rivals())
@@ -298,6 +298,24 @@ const std::vector<Planted>& cases() {
        Kind::kValue,
        "",
        true},
+      {"scan_takes_an_offer_back",
+       "stage/wrinkle_scan.v",
+       {{"& ~waits & ~held;", "& ~waits;"}},
+       "normalize",
+       "",
+       Kind::kValue,
+       "shared_single_phong",
+       true},
+      // A buffer behind it takes either, so that no fragment shows it.
+      {"scan_takes_an_offer_back_before_a_buffer",
+       "stage/wrinkle_scan.v",
+       {{"& ~waits & ~held;", "& ~waits;"}},
+       "",
+       "",
+       Kind::kMissing,
+       "shared_single",
+       true,
+       true},
       {"normalize_none_wraps",
        "unit/wrinkle_unit_vector.v",
        {{".value_i(rounded), .result_o(unit[k*N +: N])",
@@ -341,7 +359,10 @@ fs::path plant(const Planted& planted) {
     text.replace(at, from.size(), to);
   }
   std::ofstream(file) << text;
-  if (planted.inverts_payloads) invert_payloads_that_are_not_valid(root);
+  if (planted.by_law) {
+    invert_payloads_that_are_not_valid(root);
+    stop_at_an_offer_taken_back(root);
+  }
   return root;
 }
 

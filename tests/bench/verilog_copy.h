@@ -60,4 +60,21 @@ inline int invert_payloads_that_are_not_valid(const std::filesystem::path& root)
   return count;
 }
 
+// The core puts out nothing more once a stage has taken back what it had offered and nobody had taken.
+inline void stop_at_an_offer_taken_back(const std::filesystem::path& root) {
+  const std::filesystem::path file = root / "rtl" / "wrinkle_core.v";
+  std::string text = read_text(file), watch = "  reg taken_back;\n", any = "taken_back";
+  for (const std::string stage : {"interpolate", "perspective", "texture", "perturb", "normalize", "light", "output"}) {
+    watch += "  reg " + stage + "_waits;\n  always @(posedge clk) " + stage + "_waits <= " + stage + "_valid & ~" +
+             stage + "_ready & ~rst;\n";
+    any += " | (" + stage + "_waits & ~" + stage + "_valid)";
+  }
+  watch += "  always @(posedge clk) taken_back <= ~rst & (" + any + ");\n";
+  const std::string valid = "assign fragment_valid_o  = output_valid;";
+  const std::size_t at = text.find(valid);
+  ASSERT_NE(at, text.npos);
+  text.replace(at, valid.size(), watch + "  assign fragment_valid_o  = output_valid & ~taken_back;");
+  std::ofstream(file) << text;
+}
+
 }  // namespace wrinkle
