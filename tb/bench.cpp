@@ -77,7 +77,7 @@ std::string describe(const Difference& d) {
 
 BenchResult run_bench(const Config& config, const PacketStream& stream, const std::vector<Texture>& textures,
                       std::string_view frame_name, const BenchOptions& options, const BenchSinks& sinks) {
-  Run run;
+  BenchRun run;
   run.config = &config;
   run.words = stream.words;
   run.textures = &textures;

@@ -49,7 +49,7 @@ void set_words(std::array<std::uint64_t, n>& pin, const std::uint64_t* words, st
 // to offer, offer_NAME(), and tells NAME_taken(); of an output stream it tells NAME_taken() before the clock edge.
 class Clockwork {
  public:
-  Clockwork(Run& run, BlockReader<WordBlock>& words, QuadFetch& quads)
+  Clockwork(BenchRun& run, BlockReader<WordBlock>& words, QuadFetch& quads)
       : run_(run),
         model_(*run.model),
         words_(words),
@@ -58,7 +58,7 @@ class Clockwork {
         idle_(*run.config),
         stalls_(stall_sources(*run.options)),
         colour_bits_(run.config->colour_bits),
-        channels_(run.config->channel_count()) {
+        channels_(Shape(*run.config).count) {
     if (run.tapped) run.visible_values = taps_.visible_values();
   }
 
@@ -234,7 +234,7 @@ class Clockwork {
     return d;
   }
 
-  Run& run_;
+  BenchRun& run_;
   Model& model_;
   BlockReader<WordBlock>& words_;
   QuadFetch& quads_;

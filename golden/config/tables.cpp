@@ -86,9 +86,12 @@ std::string value_rows() {
 #define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present, kind)            \
   text += row({#stage, code(#name), plain(#elements), code(plain(#width)), code(plain(#fraction_bits)), \
                is_signed ? "yes" : "no", std::string_view(#present) == "true" ? "always" : code(plain(#present))});
-#define WRINKLE_FRAME(stage, name)                                                                       \
-  text += row({#stage, code(#name), "3 * frame_vectors", code("frame_width"), code("frame_bits"), "yes", \
-               code("frame_vectors != 0")});
+#define WRINKLE_FRAME(stage, name, reader)                                                                       \
+  for (const char k : {'0', '1', '2'}) {                                                                         \
+    const std::string vector = std::string("frame_") + k;                                                        \
+    text += row({#stage, code(std::string(#name " ") + k), "3", code(vector + "_width"), code(vector + "_bits"), \
+                 "yes", code(vector + "_width != 0")});                                                          \
+  }
 #define WRINKLE_BUMP(stage, name)                                                                        \
   text += row({#stage, code(#name), "bump_components", code("bump_width"), code("bump_fraction"), "yes", \
                code("bump_components != 0")});

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <bit>
 #include <fstream>
-#include <map>
+#include <optional>
 #include <random>
-#include <sstream>
 
-#include "sim/synthesis/gates.h"
 #include "sim/synthesis/stimulus.h"
+#include "sim/synthesis/testbench.h"
 #include "tb/process.h"
 
 namespace wrinkle {
@@ -18,75 +17,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kClocks = 1000, kLeastRuns = 2, kMostRuns = 8;
+constexpr int kClocks = 1000, kEpisode = 40, kLeastRuns = 4, kMostRuns = 16;
 // With registers as wires, a word stays until the deepest pipeline shows it, and only then is compared.
 constexpr int kStay = 8;
-// So long after power-up, an output on which the machines of a netlist do not agree is not compared. Icarus takes the
-// other branch of an `if` on what it does not know, and then says more than the Verilog does.
-constexpr int kPowerUp = 256;
 
-// Ports NAME_0_, NAME_1_ ... as one port NAME.
-std::vector<NetlistPort> joined(const std::vector<NetlistPort>& bits) {
-  std::map<std::string, NetlistPort> ports;
-  for (const NetlistPort& bit : bits) {
-    const std::size_t end = bit.name.size() - 1, begin = bit.name.rfind('_', end - 1);
-    const bool is_split = bit.name[end] == '_' && begin != std::string::npos;
-    const std::string name = is_split ? bit.name.substr(0, begin) : bit.name;
-    const std::size_t index = is_split ? std::stoul(bit.name.substr(begin + 1)) : 0;
-    NetlistPort& port = ports[name];
-    port.name = name;
-    port.is_input = bit.is_input;
-    port.nets.resize(std::max(port.nets.size(), index + 1));
-    port.nets[index] = bit.nets[0];
-  }
-  std::vector<NetlistPort> all;
-  for (const auto& [name, port] : ports) all.push_back(port);
-  return all;
-}
-
-// Ports of one direction without the clock, and the nets of their bits: bit 0 of the first port first.
-struct Bundle {
-  std::vector<NetlistPort> ports;
-  std::vector<std::uint32_t> nets;
-
-  Bundle(const std::vector<NetlistPort>& all, bool is_input) {
-    for (const NetlistPort& port : all) {
-      if (port.is_input != is_input || port.name == "clk") continue;
-      ports.push_back(port);
-      nets.insert(nets.end(), port.nets.begin(), port.nets.end());
-    }
-  }
-
-  // "a_i=01 b_i=1" of a line of bits.
-  std::string text(const std::string& line) const {
-    std::string text;
-    std::size_t end = line.size();
-    for (const NetlistPort& port : ports) {
-      end -= port.nets.size();
-      text += fmt::format("{}{}={}", text.empty() ? "" : " ", port.name, line.substr(end, port.nets.size()));
-    }
-    return text;
-  }
-
-  std::string name_of(std::size_t bit) const {
-    for (const NetlistPort& port : ports) {
-      if (bit < port.nets.size()) return fmt::format("{}[{}]", port.name, bit);
-      bit -= port.nets.size();
-    }
-    return {};
-  }
-};
-
-// What went in and what came out of the Verilog, a line for each clock.
+// What went in and what came out of the Verilog, a line for each clock, and the flip-flops of the netlist at the start
+// of each episode.
 struct Run {
   std::uint64_t seed;
-  std::vector<std::string> inputs, outputs;
+  std::vector<std::vector<bool>> states;
+  std::vector<std::string> inputs, results;
 };
 
-// What a bit has been.
+// The values that a bit took, of a register those that a clock changed it to.
 struct Seen {
   bool low = false, high = false;
   void add(bool value) { (value ? high : low) = true; }
+};
+
+// A flip-flop of the netlist by which a net is driven, at once or through inverters.
+struct Source {
+  std::size_t flip_flop;
+  bool inverted;
 };
 
 class Check {
@@ -95,73 +47,61 @@ class Check {
       : options_(options),
         netlist_(read_gates(options.gates)),
         ports_(options.registers ? netlist_.ports : joined(netlist_.ports)),
-        inputs_(ports_, true),
-        outputs_(ports_, false),
-        register_was_(netlist_.flip_flops.size()),
-        output_was_(outputs_.nets.size()) {
-    if (outputs_.nets.empty()) throw SynthesisError(options.top + " has no output");
+        bench_{Bundle(ports_, true), Bundle(ports_, false)},
+        register_was_(netlist_.flip_flops.size()) {
+    bench_.has_clock = std::any_of(ports_.begin(), ports_.end(), [](const NetlistPort& p) { return p.name == "clk"; });
+    if (bench_.has_clock)
+      bench_.registers = elaborated_registers(options.top, options.parameters, options.sources, options.include_folders,
+                                              options.folder);
+    bench_.clocks = kClocks * stay();
+    bench_.episode = kEpisode * stay();
+    find_sources();
+    find_registers();
+    find_constants();
+    if (bench_.outputs.nets.empty()) throw SynthesisError(options.top + " has no output");
   }
 
   NetlistChecked run() {
     build();
-    for (int number = 1; number <= kMostRuns; ++number) {
+    for (int number = 1; number <= kLeastRuns || (number <= kMostRuns && !all_changed()); ++number) {
       runs_.push_back(simulate_verilog(static_cast<std::uint64_t>(number)));
       compare(runs_.back());
-      checked_.clocks += clocks();
+      checked_.clocks += bench_.clocks;
       count_changes();
-      const bool all_changed =
-          checked_.registers_changed == checked_.registers && checked_.outputs_changed == checked_.outputs;
-      if (all_changed && number >= kLeastRuns) break;
     }
+    if (!all_changed())
+      throw SynthesisError(fmt::format("{} of {} never changed in {} clocks, so that little is known of its netlist",
+                                       first_unchanged(), options_.top, checked_.clocks));
     find_faults();
     return checked_;
   }
 
  private:
-  // The Verilog between a file of inputs and one of outputs.
-  std::string testbench() const {
-    std::string connections, outputs, parameters;
-    std::size_t first = 0;
-    for (const NetlistPort& port : ports_) {
-      if (port.name == "clk") connections += ", .clk(clk)";
+  void find_sources() {
+    sources_.resize(netlist_.nets);
+    for (std::size_t i = 0; i < netlist_.flip_flops.size(); ++i) sources_[netlist_.flip_flops[i].q] = Source{i, false};
+    for (const Gate& gate : netlist_.gates) {
+      if (!gate.is_buffer() || !sources_[gate.a]) continue;
+      sources_[gate.y] = Source{sources_[gate.a]->flip_flop, sources_[gate.a]->inverted != gate.is_inverter()};
     }
-    for (const NetlistPort& port : inputs_.ports) {
-      connections += fmt::format(", .{}(word[{} +: {}])", port.name, first, port.nets.size());
-      first += port.nets.size();
+  }
+
+  // Outputs that the netlist only wires to a constant have no other value to take.
+  void find_constants() {
+    std::vector<bool> is_constant(netlist_.nets);
+    is_constant[0] = true;
+    for (const Gate& gate : netlist_.gates) is_constant[gate.y] = gate.is_buffer() && is_constant[gate.a];
+    for (const std::uint32_t net : bench_.outputs.nets) output_was_.push_back({is_constant[net], is_constant[net]});
+  }
+
+  // The net of every bit of the registers, where the netlist has one.
+  void find_registers() {
+    for (const Register& word : bench_.registers) {
+      for (std::size_t bit = 0; bit < word.bits; ++bit) {
+        const auto net = netlist_.names.find(word.bits == 1 ? word.name : fmt::format("{}[{}]", word.name, bit));
+        register_nets_.push_back(net == netlist_.names.end() ? std::nullopt : std::optional(net->second));
+      }
     }
-    std::size_t result = 0;
-    for (const NetlistPort& port : outputs_.ports) {
-      connections += fmt::format(", .{}(result[{} +: {}])", port.name, result, port.nets.size());
-      result += port.nets.size();
-    }
-    for (const auto& [name, value] : options_.parameters)
-      parameters += fmt::format("{}.{}({})", parameters.empty() ? "#(" : ", ", name, value.text);
-    if (!parameters.empty()) parameters += ")";
-    return fmt::format(R"(module wrinkle_check;
-  reg clk;
-  reg [{inputs}:0] word;
-  reg [{inputs}:0] words [0:{clocks}-1];
-  wire [{outputs}:0] result;
-  integer i, file;
-  {top} {parameters} verilog ({connections});
-  initial begin
-    clk = 0;
-    $readmemb("{folder}/inputs", words);
-    file = $fopen("{folder}/outputs", "w");
-    for (i = 0; i < {clocks}; i = i + 1) begin
-      word = words[i];
-      #1 $fdisplay(file, "%b", result);
-      clk = 1;
-      #1 clk = 0;
-    end
-    $fclose(file);
-    $finish;
-  end
-endmodule
-)",
-                       fmt::arg("inputs", std::max<std::size_t>(first, 1) - 1), fmt::arg("outputs", result - 1),
-                       fmt::arg("clocks", clocks()), fmt::arg("top", options_.top), fmt::arg("parameters", parameters),
-                       fmt::arg("connections", connections.substr(2)), fmt::arg("folder", options_.folder.string()));
   }
 
   void tool(const Arguments& command) const {
@@ -171,7 +111,7 @@ endmodule
   }
 
   void build() const {
-    std::ofstream(options_.folder / "check.v") << testbench();
+    std::ofstream(options_.folder / "check.v") << testbench_text(bench_, options_);
     Arguments command{"iverilog", "-g2005", "-gno-specify", "-s", "wrinkle_check", "-o", options_.folder / "check.vvp"};
     for (const fs::path& folder : options_.include_folders) command.push_back("-I" + folder.string());
     command.push_back(options_.folder / "check.v");
@@ -180,62 +120,121 @@ endmodule
   }
 
   Run simulate_verilog(std::uint64_t seed) const {
-    Run run{seed, stimulus(ports_, {seed, clocks(), stay()}), {}};
+    Run run{seed, {}, stimulus(ports_, {seed, bench_.clocks, stay()}), {}};
+    draw_states(run);
     std::ofstream inputs(options_.folder / "inputs");
     for (const std::string& line : run.inputs) inputs << (line.empty() ? "0" : line) << '\n';
     inputs.close();
     tool({"vvp", "-n", options_.folder / "check.vvp"});
-    std::ifstream outputs(options_.folder / "outputs");
-    for (std::string line; std::getline(outputs, line);) run.outputs.push_back(line);
-    if (run.outputs.size() != run.inputs.size()) throw SynthesisError(options_.top + ": the simulation stopped early");
+    std::ifstream results(options_.folder / "results");
+    for (std::string line; std::getline(results, line);) run.results.push_back(line);
+    if (run.results.size() != run.inputs.size()) throw SynthesisError(options_.top + ": the simulation stopped early");
     return run;
   }
 
+  // Words for all registers at the start of each episode, which the flip-flops of the netlist take, and then what the
+  // netlist has where they stand.
+  void draw_states(Run& run) const {
+    std::mt19937_64 random(run.seed);
+    std::vector<std::string> words;
+    for (const Register& word : bench_.registers) words.emplace_back(word.bits, '0');
+    std::ofstream file(options_.folder / "state");
+    for (int clock = 0; clock < bench_.clocks; clock += bench_.episode) {
+      for (std::string& word : words) draw_word(word, random);
+      std::vector<bool> state(netlist_.flip_flops.size());
+      for (std::size_t i = 0; i < state.size(); ++i) state[i] = random() % 2 != 0;
+      for_each_bit(words, [&](std::size_t bit, char& value) {
+        if (const auto source = source_of(bit)) state[source->flip_flop] = (value == '1') != source->inverted;
+      });
+      GateSimulation simulation(netlist_);
+      simulation.set_state(state);
+      drive(simulation, run.inputs[static_cast<std::size_t>(clock)]);
+      for_each_bit(words, [&](std::size_t bit, char& value) {
+        if (register_nets_[bit]) value = (simulation.value(*register_nets_[bit]) & 1) != 0 ? '1' : '0';
+      });
+      for (const std::string& word : words) file << word << '\n';
+      run.states.push_back(std::move(state));
+    }
+    if (words.empty()) file << "0\n";
+  }
+
+  // Calls with the number of each bit of all registers, bit 0 of the first one first, and its place in `words`.
+  template <typename Function>
+  static void for_each_bit(std::vector<std::string>& words, Function call) {
+    std::size_t number = 0;
+    for (std::string& word : words) {
+      for (std::size_t i = word.size(); i-- > 0;) call(number++, word[i]);
+    }
+  }
+
+  std::optional<Source> source_of(std::size_t register_bit) const {
+    return register_nets_[register_bit] ? sources_[*register_nets_[register_bit]] : std::nullopt;
+  }
+
   void drive(GateSimulation& simulation, const std::string& line) const {
-    for (std::size_t i = 0; i < inputs_.nets.size(); ++i)
-      simulation.set(inputs_.nets[i], line[line.size() - 1 - i] == '1');
+    for (std::size_t i = 0; i < bench_.inputs.nets.size(); ++i)
+      simulation.set(bench_.inputs.nets[i], line[line.size() - 1 - i] == '1');
     simulation.settle();
   }
 
   int stay() const { return options_.registers ? 1 : kStay; }
-  int clocks() const { return kClocks * stay(); }
   bool is_compared(int clock) const { return clock % stay() == stay() - 1; }
 
-  // Machines whose output bit is not what the Verilog says; none where it says x.
-  static std::uint64_t wrong(const GateSimulation& simulation, std::uint32_t net, char expected) {
-    if (expected == 'x' || expected == 'z') return 0;
-    return simulation.value(net) ^ (expected == '1' ? ~std::uint64_t{0} : 0);
+  // The netlist at one clock of a run, its inputs settled.
+  void step(GateSimulation& simulation, const Run& run, std::size_t clock) const {
+    const auto episode = static_cast<std::size_t>(bench_.episode);
+    if (clock % episode == 0) simulation.set_state(run.states[clock / episode]);
+    drive(simulation, run.inputs[clock]);
   }
 
-  // Machines with a fault whose output bit is not that of the last, which has none, where the Verilog knows it.
-  static std::uint64_t unlike_the_right_one(const GateSimulation& simulation, std::uint32_t net, char expected) {
-    const std::uint64_t value = simulation.value(net);
-    const bool right = value >> 63 != 0;
-    return right == (expected == '1') ? wrong(simulation, net, expected) : 0;
-  }
-
-  void compare(const Run& run) {
-    GateSimulation simulation(netlist_, run.seed);
-    for (std::size_t clock = 0; clock < run.inputs.size(); ++clock) {
-      drive(simulation, run.inputs[clock]);
-      const std::string& expected = run.outputs[clock];
-      for (std::size_t bit = 0; bit < outputs_.nets.size() && is_compared(static_cast<int>(clock)); ++bit) {
-        const char value = expected[expected.size() - 1 - bit];
-        const std::uint64_t machines = wrong(simulation, outputs_.nets[bit], value);
-        const bool depends_on_power_up = machines != ~std::uint64_t{0} && static_cast<int>(clock) < kPowerUp;
-        if (machines != 0 && !depends_on_power_up) complain(run, clock, bit, value);
-        if (value == '0' || value == '1') output_was_[bit].add(value == '1');
-      }
-      simulation.clock();
-      for (std::size_t i = 0; i < register_was_.size(); ++i)
-        register_was_[i].add((simulation.value(netlist_.flip_flops[i].q) & 1) != 0);
+  // Of every bit of a line of results that the netlist has too: its number, its net and what the Verilog says.
+  template <typename Function>
+  void for_each_result(const std::string& results, Function call) const {
+    const std::vector<std::uint32_t>& outputs = bench_.outputs.nets;
+    for (std::size_t i = 0; i < outputs.size(); ++i) call(i, outputs[i], results[results.size() - 1 - i]);
+    for (std::size_t i = 0; i < register_nets_.size(); ++i) {
+      const std::size_t bit = outputs.size() + i;
+      if (source_of(i)) call(bit, *register_nets_[i], results[results.size() - 1 - bit]);
     }
   }
 
+  void compare(const Run& run) {
+    GateSimulation simulation(netlist_);
+    std::vector<bool> before(netlist_.flip_flops.size());
+    for (std::size_t clock = 0; clock < run.inputs.size(); ++clock) {
+      step(simulation, run, clock);
+      for (std::size_t i = 0; i < before.size(); ++i) before[i] = simulation.bit(netlist_.flip_flops[i].q);
+      if (is_compared(static_cast<int>(clock))) {
+        for_each_result(run.results[clock], [&](std::size_t bit, std::uint32_t net, char expected) {
+          if (expected != (simulation.bit(net) ? '1' : '0')) complain(run, clock, bit, expected);
+          if (bit < output_was_.size()) output_was_[bit].add(expected == '1');
+        });
+      }
+      simulation.clock();
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        const bool after = simulation.bit(netlist_.flip_flops[i].q);
+        if (after != before[i]) register_was_[i].add(after);
+      }
+    }
+  }
+
+  // The name of a bit of the results.
+  std::string name_of(std::size_t bit) const {
+    if (bit < bench_.outputs.nets.size()) return bench_.outputs.name_of(bit);
+    bit -= bench_.outputs.nets.size();
+    for (const Register& word : bench_.registers) {
+      if (bit < word.bits) return fmt::format("{}[{}]", word.path, bit);
+      bit -= word.bits;
+    }
+    return {};
+  }
+
   [[noreturn]] void complain(const Run& run, std::size_t clock, std::size_t bit, char expected) const {
-    throw NetlistDiffers(fmt::format(
-        "the netlist of {} is not its Verilog: {} is {} and not {} at clock {} of run {}, inputs {}", options_.top,
-        outputs_.name_of(bit), expected == '1' ? 0 : 1, expected, clock, run.seed, inputs_.text(run.inputs[clock])));
+    throw NetlistDiffers(
+        fmt::format("the netlist of {} is not its Verilog: {} is {} and not {} at clock {} of run {}, "
+                    "inputs {}",
+                    options_.top, name_of(bit), expected == '0' ? 1 : 0, expected, clock, run.seed,
+                    bench_.inputs.text(run.inputs[clock])));
   }
 
   void count_changes() {
@@ -248,17 +247,35 @@ endmodule
     checked_.outputs_changed = both(output_was_);
   }
 
+  bool all_changed() const {
+    return checked_.registers_changed == checked_.registers && checked_.outputs_changed == checked_.outputs;
+  }
+
+  // The first output, or else register, that did not take both values.
+  std::string first_unchanged() const {
+    const auto is_unchanged = [](const Seen& s) { return !s.low || !s.high; };
+    const auto output = std::find_if(output_was_.begin(), output_was_.end(), is_unchanged);
+    if (output != output_was_.end()) return name_of(static_cast<std::size_t>(output - output_was_.begin()));
+    const auto flip_flop = std::find_if(register_was_.begin(), register_was_.end(), is_unchanged);
+    for (std::size_t i = 0; i < register_nets_.size(); ++i) {
+      const auto source = source_of(i);
+      if (source && source->flip_flop == static_cast<std::size_t>(flip_flop - register_was_.begin()))
+        return name_of(output_was_.size() + i);
+    }
+    return "a flip-flop without a name";
+  }
+
   // Gates that something reads, without those that only name a net or a constant anew.
   std::vector<std::size_t> gates_that_matter() const {
     std::vector<bool> is_read(netlist_.nets);
-    for (const std::uint32_t net : outputs_.nets) is_read[net] = true;
+    for (const std::uint32_t net : bench_.outputs.nets) is_read[net] = true;
     for (const FlipFlop& flip_flop : netlist_.flip_flops) is_read[flip_flop.d] = true;
     std::vector<std::size_t> found;
     for (std::size_t g = netlist_.gates.size(); g-- > 0;) {
       const Gate& gate = netlist_.gates[g];
       if (!is_read[gate.y]) continue;
       is_read[gate.a] = is_read[gate.b] = true;
-      if (gate.a != gate.b || gate.invert_y) found.push_back(g);
+      if (!gate.is_buffer() || gate.is_inverter()) found.push_back(g);
     }
     return found;
   }
@@ -274,12 +291,12 @@ endmodule
 
   void find_faults() {
     const std::vector<Fault> faults = random_faults();
-    constexpr std::size_t kMachines = 63;
+    constexpr std::size_t kMachines = 64;
     for (std::size_t first = 0; first < faults.size(); first += kMachines) {
       const std::size_t last = std::min(first + kMachines, faults.size());
       const std::vector<Fault> some(faults.begin() + static_cast<std::ptrdiff_t>(first),
                                     faults.begin() + static_cast<std::ptrdiff_t>(last));
-      const std::uint64_t all = (std::uint64_t{1} << some.size()) - 1;
+      const std::uint64_t all = ~std::uint64_t{0} >> (kMachines - some.size());
       std::uint64_t found = 0;
       for (std::size_t i = 0; i < runs_.size() && found != all; ++i)
         found |= faults_found(runs_[i], some, all & ~found);
@@ -290,13 +307,15 @@ endmodule
 
   // The machines of `wanted` that differ somewhere in a run.
   std::uint64_t faults_found(const Run& run, const std::vector<Fault>& faults, std::uint64_t wanted) const {
-    GateSimulation simulation(netlist_, run.seed, faults);
+    GateSimulation simulation(netlist_, faults);
     std::uint64_t found = 0;
     for (std::size_t clock = 0; clock < run.inputs.size() && (found & wanted) != wanted; ++clock) {
-      drive(simulation, run.inputs[clock]);
-      const std::string& expected = run.outputs[clock];
-      for (std::size_t bit = 0; bit < outputs_.nets.size() && is_compared(static_cast<int>(clock)); ++bit)
-        found |= unlike_the_right_one(simulation, outputs_.nets[bit], expected[expected.size() - 1 - bit]);
+      step(simulation, run, clock);
+      if (is_compared(static_cast<int>(clock))) {
+        for_each_result(run.results[clock], [&](std::size_t, std::uint32_t net, char expected) {
+          found |= expected == '1' ? ~simulation.value(net) : simulation.value(net);
+        });
+      }
       simulation.clock();
     }
     return found & wanted;
@@ -305,7 +324,9 @@ endmodule
   CheckOptions options_;
   GateNetlist netlist_;
   std::vector<NetlistPort> ports_;
-  Bundle inputs_, outputs_;
+  Testbench bench_;
+  std::vector<std::optional<Source>> sources_;               // by net
+  std::vector<std::optional<std::uint32_t>> register_nets_;  // by bit of all registers
   std::vector<Run> runs_;
   std::vector<Seen> register_was_, output_was_;
   NetlistChecked checked_;

@@ -19,9 +19,11 @@ struct CheckOptions {
   int faults = 0;         // how many single faults of the netlist are tried after it was found equal
 };
 
-// Icarus simulates the Verilog, from power-up without known registers and through resets. What it does not know is not
-// compared. The netlist powers up in 64 ways at once, and soon all of them must agree. Runs of 1,000 clocks follow each
-// other until every register and every output has been 0 and 1, two of them at least and eight at most.
+// Icarus simulates the Verilog, gates.h the netlist, both from the same random state, which is another in every run:
+// each register of the Verilog starts as the net of its name in the netlist does, and at random where there is none. So
+// every output is known and compared at every clock, the first included, and a reset that is missing is seen. Runs of
+// 1,000 clocks follow each other until every register and every output has been 0 and 1, four at least and sixteen at
+// most.
 //
 // Throws NetlistDiffers, whose text says the first output, its clock and the inputs.
 NetlistChecked check_netlist(const CheckOptions& options);

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
+#include <sstream>
 
 #include "tb/fingerprint.h"
 #include "tb/process.h"
@@ -36,7 +39,48 @@ std::set<fs::path> sources_in(const fs::path& design) {
   return found;
 }
 
+// Of Yosys's `dump`: the wires that output Q of a cell connects to, with their bits.
+std::vector<Register> registers_in(const fs::path& dump) {
+  std::map<std::string, std::size_t> bits;
+  std::set<std::string> registers;
+  std::istringstream in(read_text(dump));
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string word, wire;
+    std::size_t width = 1;
+    words >> word;
+    if (word == "wire") {
+      while (words >> word) {
+        if (word == "width") words >> width;
+        if (word[0] == '\\') wire = word;
+      }
+      bits[wire] = width;
+    } else if (word == "connect" && words >> word && word == "\\Q") {
+      while (words >> word) {
+        if (word[0] == '\\') registers.insert(word);
+      }
+    }
+  }
+  std::vector<Register> found;
+  // Every generate block has a name in the source; Yosys makes up others for the branches of an `else if`.
+  static const std::regex made_up(R"(\bgenblk\d+\.)");
+  for (const std::string& name : registers)
+    found.push_back({name.substr(1), std::regex_replace(name.substr(1), made_up, ""), bits.at(name)});
+  return found;
+}
+
 }  // namespace
+
+std::vector<Register> elaborated_registers(const std::string& top, const VerilogParameters& parameters,
+                                           const std::vector<fs::path>& files,
+                                           const std::vector<fs::path>& include_folders, const fs::path& folder) {
+  const fs::path script = folder / "registers.ys", log = folder / "registers.log", dump = folder / "registers.il";
+  std::ofstream(script) << commands(top, parameters, files, include_folders) << "rename -top " << top
+                        << "\nproc\nflatten\nmemory_map\ntee -q -o " << dump.string() << " dump t:$dff %x1:+[Q]\n";
+  if (Process({"yosys", "-Q", "-s", script}, log).wait() != 0)
+    throw SynthesisError("yosys cannot list the registers of " + top + ":\n" + read_text(log));
+  return registers_in(dump);
+}
 
 std::vector<fs::path> elaborated_files(const std::string& top, const VerilogParameters& parameters,
                                        const std::vector<fs::path>& files, const std::vector<fs::path>& include_folders,

@@ -51,6 +51,7 @@ class Reader {
     netlist_.nets = static_cast<std::uint32_t>(names_.size());
     for (const auto& [name, port] : ports_) netlist_.ports.push_back(port);
     sort();
+    name_driven_nets();
     return std::move(netlist_);
   }
 
@@ -147,12 +148,29 @@ class Reader {
     netlist_.gates = std::move(sorted);
   }
 
+  void name_driven_nets() {
+    std::vector<bool> driven(netlist_.nets);
+    driven[kZero] = true;
+    for (const Gate& gate : netlist_.gates) driven[gate.y] = true;
+    for (const FlipFlop& flip_flop : netlist_.flip_flops) driven[flip_flop.q] = true;
+    for (const NetlistPort& port : netlist_.ports) {
+      for (const std::uint32_t net : port.nets) driven[net] = driven[net] || port.is_input;
+    }
+    driven[names_.at("$undef")] = false;
+    // A wire that is only another name of a net without a driver has none either.
+    for (const Gate& gate : netlist_.gates) {
+      if (gate.is_buffer() && !driven[gate.a]) driven[gate.y] = false;
+    }
+    std::erase_if(names_, [&](const auto& name) { return !driven[name.second]; });
+    netlist_.names = std::move(names_);
+  }
+
   void check_clocks(const std::vector<int>& driver) const {
     const auto found = ports_.find("clk");
     for (std::uint32_t clock : clocks_) {
       while (driver[clock] >= 0) {
         const Gate& gate = netlist_.gates[static_cast<std::size_t>(driver[clock])];
-        if (gate.a != gate.b || gate.invert_y) break;
+        if (!gate.is_buffer() || gate.is_inverter()) break;
         clock = gate.a;
       }
       if (found == ports_.end() || clock != found->second.nets[0])
@@ -172,16 +190,15 @@ class Reader {
 
 GateNetlist read_gates(const std::filesystem::path& blif) { return Reader(blif).read(); }
 
-GateSimulation::GateSimulation(const GateNetlist& netlist, std::uint64_t seed, const std::vector<Fault>& faults)
+GateSimulation::GateSimulation(const GateNetlist& netlist, const std::vector<Fault>& faults)
     : netlist_(&netlist), values_(netlist.nets, 0), next_(netlist.flip_flops.size()), faults_(faults) {
-  std::mt19937_64 random(seed);
-  for (const FlipFlop& flip_flop : netlist.flip_flops) {
-    const std::uint64_t bits = random();
-    values_[flip_flop.q] = faults.empty() ? bits : mask((bits & 1) != 0);
-  }
   for (const Fault& fault : faults) faulty_.push_back(fault.gate);
   std::sort(faulty_.begin(), faulty_.end());
   faulty_.erase(std::unique(faulty_.begin(), faulty_.end()), faulty_.end());
+}
+
+void GateSimulation::set_state(const std::vector<bool>& state) {
+  for (std::size_t i = 0; i < state.size(); ++i) set(netlist_->flip_flops[i].q, state[i]);
 }
 
 void GateSimulation::settle(std::size_t from, std::size_t to) {

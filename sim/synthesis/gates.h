@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <random>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace wrinkle {
@@ -14,6 +14,10 @@ namespace wrinkle {
 struct Gate {
   std::uint32_t a = 0, b = 0, y = 0;
   bool invert_a = false, invert_b = false, invert_y = false, is_xor = false;
+
+  // y is a, or a inverted.
+  bool is_buffer() const { return a == b && !is_xor && invert_a == invert_b; }
+  bool is_inverter() const { return is_buffer() && invert_a != invert_y; }
 };
 
 struct FlipFlop {
@@ -31,6 +35,8 @@ struct GateNetlist {
   std::vector<Gate> gates;  // each behind those that drive it
   std::vector<FlipFlop> flip_flops;
   std::uint32_t nets = 0;  // net 0 is always 0
+  // Every net that a gate, a flip-flop or an input drives; some have several names.
+  std::unordered_map<std::string, std::uint32_t> names;
 };
 
 // Reads what Yosys's `write_blif -gates -icells` writes of a flat module of its own gates and positive-edge flip-flops
@@ -52,14 +58,16 @@ struct Fault {
 
 class GateSimulation {
  public:
-  // Flip-flops start with random bits, another in every machine. Machine i has faults[i], the rest are right; the
-  // faulty ones and the last, which is right, start alike.
-  explicit GateSimulation(const GateNetlist& netlist, std::uint64_t seed, const std::vector<Fault>& faults = {});
+  // Machine i has faults[i], the rest are right. Flip-flops start with 0.
+  explicit GateSimulation(const GateNetlist& netlist, const std::vector<Fault>& faults = {});
 
   void set(std::uint32_t net, bool value) { values_[net] = value ? ~std::uint64_t{0} : 0; }
+  // A bit for each flip-flop.
+  void set_state(const std::vector<bool>& state);
   void settle();
   void clock();
   std::uint64_t value(std::uint32_t net) const { return values_[net]; }
+  bool bit(std::uint32_t net) const { return (values_[net] & 1) != 0; }  // of machine 0
 
  private:
   void settle(std::size_t from, std::size_t to);

@@ -7,14 +7,31 @@ namespace wrinkle {
 namespace {
 
 constexpr int kEpisode = 64;
-// The first reset, in which everything is handed on: what can be known afterwards is known.
-constexpr int kFirstReset = 40;
+constexpr int kFirstReset = 4;
 
 bool is_handshake(const std::string& name) {
   for (const char* word : {"valid", "ready", "advance", "shift"}) {
     if (name.find(word) != std::string::npos) return true;
   }
   return false;
+}
+
+template <typename Bit>
+void fill(std::string& word, Bit bit) {
+  for (std::size_t i = 0; i < word.size(); ++i) word[word.size() - 1 - i] = bit(i) ? '1' : '0';
+}
+
+// As many equal fields as a vector or a texel has, each with a number of few bits, its sign repeated.
+void draw_small_numbers(std::string& word, std::mt19937_64& random) {
+  static constexpr std::size_t kFields[] = {3, 3, 3, 1, 2, 4, 6, 9};
+  const std::size_t fields = kFields[random() % std::size(kFields)];
+  const std::size_t width = std::max<std::size_t>(1, word.size() % fields == 0 ? word.size() / fields : word.size());
+  const std::size_t kept = random() % width;
+  bool sign = false;
+  fill(word, [&](std::size_t i) {
+    if (i % width <= kept) sign = random() % 2 != 0;
+    return sign;
+  });
 }
 
 class Driver {
@@ -30,41 +47,12 @@ class Driver {
     } else if (is_handshake(name_)) {
       for (char& bit : word_) bit = options_.stay > 1 || clock < kFirstReset || random() % 4 < rate_ ? '1' : '0';
     } else if (name_.starts_with("draw_") ? clock % kEpisode == 0 : clock % options_.stay == 0) {
-      draw(random);
+      draw_word(word_, random);
     }
     return word_;
   }
 
  private:
-  void draw(std::mt19937_64& random) {
-    const std::uint64_t kind = random() % 16;
-    if (kind == 0) return;  // the word before again
-    if (kind == 1) return fill([&, bit = random() % 2 != 0](std::size_t) { return bit; });
-    if (kind == 2) return fill([one = random() % bits_](std::size_t i) { return i == one; });
-    if (kind <= 4) return fill([&](std::size_t) { return random() % 8 == 0; });
-    if (kind <= 6) return fill([&](std::size_t) { return random() % 8 != 0; });
-    if (kind <= 10) return small_numbers(random);
-    fill([&](std::size_t) { return random() % 2 != 0; });
-  }
-
-  // As many equal fields as a vector or a texel has, each with a number of few bits, its sign repeated.
-  void small_numbers(std::mt19937_64& random) {
-    static constexpr std::size_t kFields[] = {3, 3, 3, 1, 2, 4, 6, 9};
-    const std::size_t fields = kFields[random() % std::size(kFields)];
-    const std::size_t width = std::max<std::size_t>(1, bits_ % fields == 0 ? bits_ / fields : bits_);
-    const std::size_t kept = random() % width;
-    bool sign = false;
-    fill([&](std::size_t i) {
-      if (i % width <= kept) sign = random() % 2 != 0;
-      return sign;
-    });
-  }
-
-  template <typename Bit>
-  void fill(Bit bit) {
-    for (std::size_t i = 0; i < bits_; ++i) word_[bits_ - 1 - i] = bit(i) ? '1' : '0';
-  }
-
   std::string name_;
   std::size_t bits_;
   StimulusOptions options_;
@@ -73,6 +61,17 @@ class Driver {
 };
 
 }  // namespace
+
+void draw_word(std::string& word, std::mt19937_64& random) {
+  const std::uint64_t kind = random() % 16;
+  if (kind == 0) return;  // the word before again
+  if (kind == 1) return fill(word, [&, bit = random() % 2 != 0](std::size_t) { return bit; });
+  if (kind == 2) return fill(word, [one = random() % word.size()](std::size_t i) { return i == one; });
+  if (kind <= 4) return fill(word, [&](std::size_t) { return random() % 8 == 0; });
+  if (kind <= 6) return fill(word, [&](std::size_t) { return random() % 8 != 0; });
+  if (kind <= 10) return draw_small_numbers(word, random);
+  fill(word, [&](std::size_t) { return random() % 2 != 0; });
+}
 
 std::vector<std::string> stimulus(const std::vector<NetlistPort>& ports, const StimulusOptions& options) {
   std::mt19937_64 random(options.seed);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,13 @@ struct StimulusOptions {
   int stay = 1;
 };
 
+// Draws a random word, bit 0 last: a sparse, a dense or a constant one, one of a single bit, a row of small signed
+// numbers, as vectors near 0 are, or the word before again.
+void draw_word(std::string& word, std::mt19937_64& random);
+
 // A line of 0 and 1 for every clock, bit 0 of the first input last; the input `clk` is left out. The input `rst` is 1
-// in the first clocks and seldom again. Inputs named valid, ready, advance and shift are 1 in the first reset, and then
-// change at random with a rate that is another every 64 clocks, and those of a draw's state with it. All others are
-// random words, sparse, dense and constant ones, words of one bit, and rows of small signed numbers, as vectors near 0
-// are.
+// in the first clocks and seldom again. Inputs named valid, ready, advance and shift change at random with a rate that
+// is another every 64 clocks, and those of a draw's state with it. All others are drawn.
 std::vector<std::string> stimulus(const std::vector<NetlistPort>& ports, const StimulusOptions& options);
 
 }  // namespace wrinkle

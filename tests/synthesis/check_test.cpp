@@ -142,6 +142,41 @@ endmodule
   expect_refused("q_o[1]");
 }
 
+// Registers of every kind of path and fate start alike on both sides: in an else branch, in a memory, two that become
+// one, one that becomes a constant, and one that nothing reads.
+TEST_F(NetlistCheck, EveryRegisterStartsAlike) {
+  make("fates", R"(
+module fates #(parameter KIND = 2) (input clk, input push_i, input [1:0] at_i, input [2:0] data_i,
+                                    output [2:0] data_o, output [2:0] twin_o, output one_o);
+  generate
+    if (KIND == 0) begin : none assign data_o = data_i; end
+    else if (KIND == 1) begin : wire_alone assign data_o = ~data_i; end
+    else begin : buffer
+      reg [2:0] memory_q [0:3];
+      always @(posedge clk) if (push_i) memory_q[at_i] <= data_i;
+      assign data_o = memory_q[at_i];
+    end
+  endgenerate
+  reg [2:0] first_q, second_q, unread_q;
+  reg one_q;
+  always @(posedge clk) begin
+    first_q  <= data_i;
+    second_q <= data_i;
+    unread_q <= data_i;
+    one_q    <= 1'b1;
+  end
+  assign twin_o = first_q & {3{at_i[0]}} | second_q & ~{3{at_i[0]}};
+  assign one_o = one_q;
+endmodule
+)",
+       "read_verilog " + (options_.folder / "source.v").string() +
+           "\nsynth -flatten\ndfflegalize -cell $_DFF_P_ x\nopt_clean");
+  const NetlistChecked checked = check_netlist(options_);
+  EXPECT_EQ(checked.registers, 4 * 3 + 3);
+  EXPECT_EQ(checked.registers_changed, 4 * 3 + 3);
+  EXPECT_EQ(checked.outputs_changed, 7);
+}
+
 // Every cell of logic by its Liberty function, which the check reads, against the vendor's Verilog.
 TEST_F(NetlistCheck, LibertyFunctionsAreThoseOfTheVendorsVerilog) {
   struct Cell {
