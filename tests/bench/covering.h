@@ -16,23 +16,23 @@
 namespace wrinkle {
 
 // Whether a parameter changes anything that this configuration draws. A width counts as simulated only where it does.
-inline bool is_in_use(const Config& c, std::string_view name) {
+inline bool is_in_use(const Shape& c, std::string_view name) {
   const auto among = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  if (among({"cross_products", "wide_bits", "gradient_bits"})) return c.has_blinn();
-  if (name == "decode") return c.has_texture_normal();
-  if (name == "lod_bits") return c.has_texture() && c.trilinear();
-  if (name == "weight_bits") return c.has_texture() && c.weight_fraction_bits() > 0;
+  if (among({"cross_products", "wide_bits", "gradient_bits"})) return c.datapath == static_cast<int>(Datapath::kBlinn);
+  if (name == "decode") return c.datapath == static_cast<int>(Datapath::kNormalMapped);
+  if (name == "lod_bits") return c.textured != 0 && c.trilinear != 0;
+  if (name == "weight_bits") return c.textured != 0 && c.weight_fraction_bits > 0;
   if (among({"filter", "perspective", "uv_integer_bits", "uv_bits", "texel_bits", "texture_fifo_bits"}))
-    return c.has_texture();
-  if (among({"q_bits", "reciprocal_bits"})) return c.has_texture() && c.perspective != 0;
+    return c.textured != 0;
+  if (among({"q_bits", "reciprocal_bits"})) return c.q != 0;
   if (name == "depth_bits") return c.depth != 0;
-  if (among({"power_bits", "specular_squarings"})) return c.has_specular();
-  if (name == "normalizer_n") return c.has_normal();
-  if (name == "normalizer_l") return c.has_light_planes();
-  if (name == "normalizer_h") return c.has_specular() && (c.has_light_planes() || c.is(Lighting::kPixelHalfangle));
-  if (name == "vector_bits") return c.has_normal_planes() || c.has_light_planes();
+  if (among({"power_bits", "specular_squarings"})) return c.glossy != 0;
+  if (name == "normalizer_n") return c.normal != 0;
+  if (name == "normalizer_l") return c.has_light_planes != 0;
+  if (name == "normalizer_h") return c.glossy != 0 && (c.has_light_planes != 0 || c.is(Lighting::kPixelHalfangle));
+  if (name == "vector_bits") return c.datapath <= static_cast<int>(Datapath::kNormalMapped) || c.has_light_planes != 0;
   return true;
 }
 
@@ -46,7 +46,7 @@ inline std::set<Setting> settings_in_use(const Config& config) {
     if (parameter.scope != Scope::core || !is_in_use(config, parameter.name)) continue;
     const int value = config.*parameter.member;
     settings.emplace(parameter.name, value);
-    if (parameter.name.starts_with("normalizer_") && !config.normalizes_after())
+    if (parameter.name.starts_with("normalizer_") && config.normalize_order == 0)
       settings.emplace(kKinds[static_cast<std::size_t>(value)], config.unit_bits);
   }
   return settings;
@@ -75,10 +75,10 @@ inline void make_legal(Config& c, Random& random) {
   c.reciprocal_bits = std::max(c.reciprocal_bits, std::min(c.q_bits - 1, 20));
   c.q_bits = std::min(c.q_bits, c.reciprocal_bits + 1);
   if (c.sharing != 0) share_units(c);
-  if (c.normalizes_after()) normalize_after(c);
-  if (!c.has_normal()) c.light_vectors = 0;
+  if (c.normalize_order != 0) normalize_after(c);
+  if (Shape(c).normal == 0) c.light_vectors = 0;
   const auto of_any_length = [&] { return random.between(1, 3); };
-  if (c.has_blinn()) c.normalizer_n = of_any_length();
+  if (c.datapath == static_cast<int>(Datapath::kBlinn)) c.normalizer_n = of_any_length();
   if (c.is(Lighting::kPixelHalfangle)) c.normalizer_h = of_any_length();
 }
 
