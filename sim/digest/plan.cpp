@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/config_file.h"
-#include "tb/random_config.h"
+#include "sim/digest/choices.h"
 #include "tb/random_frame.h"
 
 namespace wrinkle {

@@ -10,7 +10,7 @@
 
 #include "golden/config/config.h"
 #include "golden/datapath/datapaths.h"
-#include "tb/random_config.h"
+#include "sim/digest/choices.h"
 #include "tb/stall.h"
 
 namespace wrinkle {
