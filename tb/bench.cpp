@@ -44,6 +44,8 @@ std::string what(const Difference& d) {
       return "the RTL asks for a texel outside its texture";
     case Difference::Kind::kHold:
       return "a stream changed before it was taken";
+    case Difference::Kind::kIdle:
+      return "the core said that it is idle, with a packet held or a fragment in flight";
     case Difference::Kind::kValue:
       break;
   }

@@ -135,6 +135,7 @@ bool name_stage(Difference& d, const BenchRun& run) {
       return !d.stage.empty();
     case Difference::Kind::kRequest:
     case Difference::Kind::kHold:
+    case Difference::Kind::kIdle:
       d.stage = std::string(run.first->stage);
       return true;
     case Difference::Kind::kValue:

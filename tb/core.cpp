@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "tb/idle_watch.h"
 #include "tb/tap_recorder.h"
 
 namespace wrinkle {
@@ -54,6 +55,7 @@ class Clockwork {
         words_(words),
         quads_(quads),
         taps_(values(*run.config), stage_moves(*run.config), run.model->wires()),
+        idle_(*run.config),
         stalls_(stall_sources(*run.options)),
         colour_bits_(run.config->colour_bits),
         channels_(Shape(*run.config).count) {
@@ -174,6 +176,9 @@ class Clockwork {
   }                                                   \
   held |= pins_.stream##_valid && !pins_.stream##_ready;
 #include "golden/streams.def"
+    const bool moving = pins_.texel_request_valid || !quads_.empty() || pins_.fragment_valid;
+    if (!idle_.good(pins_.idle != 0, moving, take_packet, pins_.packet_word))
+      run_.differ(here(Difference::Kind::kIdle));
 
     if (cycle_ == run_.trace_from) {
       model_.trace_open(run_.options->trace);
@@ -234,6 +239,7 @@ class Clockwork {
   BlockReader<WordBlock>& words_;
   QuadFetch& quads_;
   TapRecorder taps_;
+  IdleWatch idle_;
   PerStream<StallSource> stalls_;
   int colour_bits_, channels_;
   Pins pins_;
