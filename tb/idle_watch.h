@@ -11,7 +11,7 @@ namespace wrinkle {
 class IdleWatch {
  public:
   explicit IdleWatch(const Config& config)
-      : triangle_words_(triangle_word_count(config)), draw_words_(config.draw_words()) {}
+      : triangle_words_(triangle_word_count(config)), draw_words_(Shape(config).draw_words) {}
 
   // One clock: `moving` says that a texel is asked for or awaited, or that a fragment is put out. False where the port
   // is or has been high though a packet is held in part, or though something that came of a whole one still moves.

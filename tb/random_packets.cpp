@@ -37,13 +37,13 @@ std::int64_t any_signed(int bits, Random& random) {
   return any_of(-half, half - 1, random);
 }
 
-Texture random_texture(const Config& config, int number, Random& random) {
+Texture random_texture(const Shape& config, int number, Random& random) {
   Texture texture;
   const bool long_one = number % 64 == 5;
   texture.log2_width = long_one ? kMaxLog2Size : random.between(0, 3);
   texture.log2_height = random.between(0, 3);
   if (random.below(2) == 0) std::swap(texture.log2_width, texture.log2_height);
-  texture.components = config.texel_components();
+  texture.components = config.texels;
   texture.component_bits = config.texel_bits;
   const int bits = texture.components * texture.component_bits;
   const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
@@ -57,14 +57,14 @@ Texture random_texture(const Config& config, int number, Random& random) {
   return texture;
 }
 
-DrawWords random_draw(const Config& config, const std::vector<Texture>& textures, Random& random) {
+DrawWords random_draw(const Shape& config, const std::vector<Texture>& textures, Random& random) {
   DrawWords draw;
   const bool texels = !textures.empty();
-  draw.bump = config.has_bump() && random.below(4) != 0;
+  draw.bump = config.bump != 0 && random.below(4) != 0;
   draw.textured = texels && (draw.bump || random.below(4) != 0);
   draw.shadow = config.self_shadow != 0 && random.below(4) != 0;
-  draw.exponent_zero = config.has_specular() && random.below(8) == 0;
-  draw.squarings = config.has_specular() ? random.between(0, config.specular_squarings) : 0;
+  draw.exponent_zero = config.glossy != 0 && random.below(8) == 0;
+  draw.squarings = config.glossy != 0 ? random.between(0, config.specular_squarings) : 0;
   draw.wrap_u = random.between(0, 2);
   draw.wrap_v = random.between(0, 2);
   if (texels) {
@@ -77,21 +77,21 @@ DrawWords random_draw(const Config& config, const std::vector<Texture>& textures
   }
   const std::int64_t one = std::int64_t{1} << config.colour_bits;
   for (auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular})
-    for (int c = 0; c < config.channel_count(); ++c)
+    for (int c = 0; c < config.count; ++c)
       (*colour)[static_cast<std::size_t>(c)] = static_cast<int>(any_of(0, one, random));
-  if (config.has_light_planes()) return draw;
+  if (config.has_light_planes != 0) return draw;
   const std::int64_t unit = std::int64_t{1} << config.unit_bits;
   for (int& component : draw.l) component = static_cast<int>(any_of(-unit, unit, random));
-  for (int& component : draw.h) component = config.has_specular() ? static_cast<int>(any_of(-unit, unit, random)) : 0;
+  for (int& component : draw.h) component = config.glossy != 0 ? static_cast<int>(any_of(-unit, unit, random)) : 0;
   return draw;
 }
 
 // An edge from about `first` to about `last` in so many rows, with a remainder that carries often, never, or always.
-EdgeWords random_edge(const Config& config, std::int64_t first, std::int64_t last, int rows, Random& random) {
+EdgeWords random_edge(const Shape& config, std::int64_t first, std::int64_t last, int rows, Random& random) {
   EdgeWords edge;
   edge.w = first;
   edge.step = rows > 1 ? (last - first) / (rows - 1) : any_signed(config.screen_bits + 2, random);
-  edge.denominator = any_of(1, (std::int64_t{1} << config.edge_bits()) - 1, random);
+  edge.denominator = any_of(1, (std::int64_t{1} << config.edge_bits) - 1, random);
   edge.remainder = any_of(-edge.denominator, -1, random);
   edge.remainder_step = any_of(0, edge.denominator - 1, random);
   return edge;
@@ -114,7 +114,7 @@ class Edge {
 };
 
 // The pixels of a packet, or -1 where a row leaves the screen, or a bound its format.
-std::int64_t pixels(const Config& config, const TriangleWords& triangle) {
+std::int64_t pixels(const Shape& config, const TriangleWords& triangle) {
   const std::int64_t screen = config.screen_size();
   const std::int64_t left = triangle.mirror ? -screen : 0;  // x = -1 - w
   Edge start(triangle.start), end(triangle.end0);
@@ -133,7 +133,7 @@ std::int64_t pixels(const Config& config, const TriangleWords& triangle) {
   return count;
 }
 
-void random_rows(const Config& config, TriangleWords& triangle, Random& random) {
+void random_rows(const Shape& config, TriangleWords& triangle, Random& random) {
   const int screen = config.screen_size();
   do {
     triangle.mirror = random.below(2) != 0;
@@ -177,51 +177,54 @@ PlaneWords random_plane(int bits, std::uint32_t slowness, Random& random) {
   return plane;
 }
 
-void random_planes(const Config& config, TriangleWords& triangle, Random& random) {
+void random_planes(const Shape& config, TriangleWords& triangle, Random& random) {
   const bool special = random.below(3) == 0;
   // Vectors come first, three planes each: of all of them only this component is not zero; 3: any may be.
   const std::size_t axis = random.below(6);
   const std::uint32_t slowness = random.below(4);
   std::size_t number = 0;
-  for (const ComponentFormat& format : component_formats(config)) {
-    PlaneWords& plane = triangle.planes[static_cast<std::size_t>(format.component)];
-    const int guard = format.is_constant ? 0 : config.guard_bits;
-    const bool off_axis = axis < 3 && number++ % 3 != axis;
+  for_each_plane(config, [&](const PlaneFormat& format) {
+    PlaneWords& plane = triangle.planes[number];
+    const int guard = format.is_held ? 0 : config.guard_bits;
+    const bool off_axis = axis < 3 && number % 3 != axis;
+    ++number;
     if (special) {
       plane = {off_axis ? 0 : special_value(format.width, random) << guard, 0, 0};
     } else {
-      plane = random_plane(format.width + guard, format.is_constant ? 0 : slowness, random);
+      plane = random_plane(format.width + guard, format.is_held ? 0 : slowness, random);
     }
-  }
-  if (config.has_texture() && config.perspective == 0)
-    triangle.lod = static_cast<int>(any_of(0, (std::int64_t{1} << (4 + config.lod_fraction_bits())) - 1, random));
+  });
+  if (config.lod_held != 0)
+    triangle.lod = static_cast<int>(any_of(0, (std::int64_t{1} << (4 + config.lod_fraction_bits)) - 1, random));
 }
 
 }  // namespace
 
 std::vector<Texture> random_textures(const Config& config, std::uint64_t seed) {
   std::vector<Texture> textures;
-  if (!config.has_texture()) return textures;
+  const Shape shape(config);
+  if (shape.textured == 0) return textures;
   Random random(seed);
-  for (int number = 0; number < kTextures; ++number) textures.push_back(random_texture(config, number, random));
+  for (int number = 0; number < kTextures; ++number) textures.push_back(random_texture(shape, number, random));
   return textures;
 }
 
 PacketStream random_packets(const Config& config, const std::vector<Texture>& textures, const RandomPackets& wish) {
+  const Shape shape(config);
   Random random(wish.seed);
   PacketStream stream;
   for (int draw = 0; draw < wish.draws; ++draw) {
     stream.draw_word.push_back(static_cast<std::uint32_t>(stream.words.size()));
-    encode(config, random_draw(config, textures, random), stream.words);
+    encode(shape, random_draw(shape, textures, random), stream.words);
     for (double left = wish.fragments / wish.draws; left > 0;) {
-      TriangleWords triangle;
-      random_rows(config, triangle, random);
-      random_planes(config, triangle, random);
-      left -= 1 + static_cast<double>(pixels(config, triangle));
+      TriangleWords triangle(shape);
+      random_rows(shape, triangle, random);
+      random_planes(shape, triangle, random);
+      left -= 1 + static_cast<double>(pixels(shape, triangle));
       stream.packet_triangle.push_back(static_cast<std::uint32_t>(stream.packet_word.size()));
       stream.packet_word.push_back(static_cast<std::uint32_t>(stream.words.size()));
       stream.packet_draw.push_back(static_cast<std::uint32_t>(draw));
-      encode(config, triangle, stream.words);
+      encode(shape, triangle, stream.words);
     }
   }
   return stream;

@@ -99,19 +99,29 @@ std::string value_rows() {
   return text;
 }
 
+std::string stage_rows() {
+  std::string text = row({"stage", "latency"}) + "| --- | --- |\n";
+#define WRINKLE_STAGE(name, title, moves, latency) text += row({#name, code(plain(#latency))});
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+  return text;
+}
+
 }  // namespace
 
 std::string parameter_page() {
   return "# Parameters and what follows from them\n\n"
-         "This page is made by `./wrinkle generate` from `golden/config/*.def`, `golden/datapath` and "
-         "`golden/values.def`; "
-         "change those.\n\n"
+         "This page is made by `./wrinkle generate` from `golden/config/*.def`, `golden/datapath`, "
+         "`golden/stages.def` and `golden/values.def`; change those.\n\n"
          "## Parameters\n\nA key of a configuration file, and in capitals a parameter of `wrinkle_core`.\n\n" +
          parameter_rows() + "\n## Rules\n\nWhat is illegal besides a value out of its range, in both languages.\n\n" +
          rule_rows() + "\n## Datapaths\n\nWhat each datapath says of itself in `golden/datapath/NAME.h`.\n\n" +
          property_rows() +
          "\n## Derived values\n\nMembers of `Shape`, and in capitals local parameters of `wrinkle_core`.\n\n" +
          derived_rows() +
+         "\n## Stages\n\nThe clocks that each takes of the way of a packet's first fragment, from the last word of the "
+         "packet to the port, where nothing stalls and the memory answers in the clock after a request.\n\n" +
+         stage_rows() +
          "\n## Values\n\nWhat crosses a stage. The vectors of `frame` and the components of `bump` have the names that "
          "the "
          "datapath gives them.\n\n" +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -9,39 +10,45 @@
 
 #include "golden/config/config.h"
 #include "golden/datapath/datapaths.h"
+#include "sim/digest/choices.h"
 #include "tb/stall.h"
 
 namespace wrinkle {
 
 // Whether a parameter changes anything that this configuration draws. A width counts as simulated only where it does.
-inline bool is_in_use(const Config& c, std::string_view name) {
+inline bool is_in_use(const Shape& c, std::string_view name) {
   const auto among = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  if (among({"cross_products", "wide_bits", "gradient_bits"})) return c.has_blinn();
-  if (name == "decode") return c.has_texture_normal();
-  if (name == "lod_bits") return c.has_texture() && c.trilinear();
-  if (name == "weight_bits") return c.has_texture() && c.weight_fraction_bits() > 0;
+  if (among({"cross_products", "wide_bits", "gradient_bits"})) return c.datapath == static_cast<int>(Datapath::kBlinn);
+  if (name == "decode") return c.datapath == static_cast<int>(Datapath::kNormalMapped);
+  if (name == "lod_bits") return c.textured != 0 && c.trilinear != 0;
+  if (name == "weight_bits") return c.textured != 0 && c.weight_fraction_bits > 0;
   if (among({"filter", "perspective", "uv_integer_bits", "uv_bits", "texel_bits", "texture_fifo_bits"}))
-    return c.has_texture();
-  if (among({"q_bits", "reciprocal_bits"})) return c.has_texture() && c.perspective != 0;
+    return c.textured != 0;
+  if (among({"q_bits", "reciprocal_bits"})) return c.q != 0;
   if (name == "depth_bits") return c.depth != 0;
-  if (among({"power_bits", "specular_squarings"})) return c.has_specular();
-  if (name == "normalizer_n") return c.has_normal();
-  if (name == "normalizer_l") return c.has_light_planes();
-  if (name == "normalizer_h") return c.has_specular() && (c.has_light_planes() || c.is(Lighting::kPixelHalfangle));
-  if (name == "vector_bits") return c.has_normal_planes() || c.has_light_planes();
+  if (among({"power_bits", "specular_squarings"})) return c.glossy != 0;
+  if (name == "normalizer_n") return c.normal != 0;
+  if (name == "normalizer_l") return c.has_light_planes != 0;
+  if (name == "normalizer_h") return c.glossy != 0 && (c.has_light_planes != 0 || c.is(Lighting::kPixelHalfangle));
+  if (name == "vector_bits") return c.datapath <= static_cast<int>(Datapath::kNormalMapped) || c.has_light_planes != 0;
   return true;
 }
 
-// A value of a parameter.
+// A value of a parameter; or the kind of a normalizer, and F.
 using Setting = std::pair<std::string_view, int>;
+constexpr std::array<std::string_view, 5> kKinds{"none", "faithful", "compact", "lite", "near"};
 
 inline std::set<Setting> settings_in_use(const Config& config) {
   std::set<Setting> settings;
-  for (const Parameter& parameter : parameters())
-    if (parameter.scope == Scope::core && is_in_use(config, parameter.name))
-      settings.emplace(parameter.name, config.*parameter.member);
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.scope != Scope::core || !is_in_use(config, parameter.name)) continue;
+    const int value = config.*parameter.member;
+    settings.emplace(parameter.name, value);
+    if (parameter.name.starts_with("normalizer_") && config.normalize_order == 0)
+      settings.emplace(kKinds[static_cast<std::size_t>(value)], config.unit_bits);
+  }
   return settings;
 }
 
@@ -50,7 +57,11 @@ inline std::set<Setting> all_settings() {
   std::set<Setting> settings;
   for (const Parameter& parameter : parameters()) {
     if (parameter.scope != Scope::core) continue;
-    for (int value = parameter.minimum; value <= parameter.maximum; ++value) settings.emplace(parameter.name, value);
+    for (int value = parameter.minimum; value <= parameter.maximum; ++value) {
+      settings.emplace(parameter.name, value);
+      if (parameter.name == "unit_bits")
+        for (const std::string_view kind : kKinds) settings.emplace(kind, value);
+    }
   }
   // Wider than 1 + reciprocal_bits q is only without `perspective`, where nothing reads it.
   for (int bits = 22; bits <= 24; ++bits) settings.erase({"q_bits", bits});
@@ -63,22 +74,11 @@ inline void make_legal(Config& c, Random& random) {
   c.power_bits = std::max(c.power_bits, c.dot_bits);
   c.reciprocal_bits = std::max(c.reciprocal_bits, std::min(c.q_bits - 1, 20));
   c.q_bits = std::min(c.q_bits, c.reciprocal_bits + 1);
-  if (c.sharing != 0) {
-    c.datapath = random.between(0, 1);
-    c.light_vectors = c.normalize_order = 0;
-    c.lighting = static_cast<int>(Lighting::kHalfangle);
-    c.normalizer_n = std::max(c.normalizer_n, static_cast<int>(Normalizer::kFaithful));
-    c.normalizer_l = c.normalizer_h = c.normalizer_n;
-  }
-  if (c.normalizes_after()) {
-    c.datapath = random.between(0, 2);
-    c.light_vectors = c.self_shadow = 0;
-    c.lighting = random.between(0, 1);
-    c.normalizer_n = c.normalizer_l = c.normalizer_h = static_cast<int>(Normalizer::kFaithful);
-  }
-  if (!c.has_normal()) c.light_vectors = 0;
+  if (c.sharing != 0) share_units(c);
+  if (c.normalize_order != 0) normalize_after(c);
+  if (Shape(c).normal == 0) c.light_vectors = 0;
   const auto of_any_length = [&] { return random.between(1, 3); };
-  if (c.has_blinn()) c.normalizer_n = of_any_length();
+  if (c.datapath == static_cast<int>(Datapath::kBlinn)) c.normalizer_n = of_any_length();
   if (c.is(Lighting::kPixelHalfangle)) c.normalizer_h = of_any_length();
 }
 
@@ -104,15 +104,7 @@ inline Config candidate(const std::set<Setting>& wanted, Random& random) {
   return config;
 }
 
-// Compact normalizers of long vectors take long to build: bits of F beyond 8, over the units that are such.
-inline double cost(const Config& c) {
-  double bits = 0;
-  for (const int kind : {c.normalizer_n, c.normalizer_l, c.normalizer_h})
-    if (kind >= static_cast<int>(Normalizer::kCompact)) bits += std::max(0, c.unit_bits - 8);
-  return bits;
-}
-
-// Greedy: of many candidates the one that has most of what is still wanted for its cost, until nothing is.
+// Greedy: of many candidates the one that has most of what is still wanted, until nothing is.
 inline const std::vector<Config>& covering_configs() {
   static const std::vector<Config> configs = [] {
     Random random(1);
@@ -120,15 +112,14 @@ inline const std::vector<Config>& covering_configs() {
     std::set<Setting> wanted = all_settings();
     while (!wanted.empty()) {
       Config best;
-      double most = -1000;
-      for (int i = 0; i < 300 || most == -1000; ++i) {
+      int most = 0;
+      for (int i = 0; i < 300 || most == 0; ++i) {
         const Config config = candidate(wanted, random);
         int count = 0;
         for (const Setting& setting : settings_in_use(config)) count += wanted.contains(setting);
-        const double score = count - cost(config);
-        if (count == 0 || score <= most) continue;
+        if (count <= most) continue;
         best = config;
-        most = score;
+        most = count;
       }
       for (const Setting& setting : settings_in_use(best)) wanted.erase(setting);
       chosen.push_back(best);

@@ -1,7 +1,6 @@
 // The bench itself is tested: a wrong bit planted in each stage in turn is found, and the stage is named.
 // Slow: each case builds a model of its own.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,10 +10,10 @@
 #include <vector>
 
 #include "tb/bench.h"
-#include "tb/process.h"
 #include "tb/random_frame.h"
 #include "tb/random_packets.h"
 #include "tests/bench/configurations.h"
+#include "tests/bench/verilog_copy.h"
 
 namespace wrinkle {
 namespace {
@@ -29,6 +28,7 @@ struct Planted {
   Difference::Kind kind = Difference::Kind::kValue;
   std::string rival = {};   // which of rivals(); empty: small_config()
   bool by_packets = false;  // only by packets that set-up never sends
+  bool by_law = false;      // only where the law of the streams is watched
 
   Config config() const {
     for (const Rival& r : rivals())
@@ -232,6 +232,21 @@ const std::vector<Planted>& cases() {
        "nl",
        Kind::kValue,
        "shared"},
+      {"light_looks_after_the_transfer",
+       "unit/wrinkle_shared_light.v",
+       {{"wire [3*W-1:0]            other = second_q ?",
+         "reg [3*W-1:0] n_q;\n  always @(posedge clk) n_q <= n_i;\n"
+         "  wire [3*W-1:0] n = third_q ? n_q : n_i;\n  wire [3*W-1:0] other = third_q ?"},
+        {".a_i(n_i[0 ", ".a_i(n[0 "},
+        {".a_i(n_i[W ", ".a_i(n[W "},
+        {".a_i(n_i[2*W ", ".a_i(n[2*W "},
+        {"if (second_q) nl_q <= dot;", "if (third_q) nl_q <= dot;"}},
+       "light",
+       "nl",
+       Kind::kValue,
+       "shared",
+       false,
+       true},
       {"payload_changes_while_stalled",
        "wrinkle_core.v",
        {{"= output_others[2*SCREEN_BITS-1:0];",
@@ -262,7 +277,7 @@ const std::vector<Planted>& cases() {
       {"packet_counts_32_words",
        "stage/wrinkle_packet.v",
        {{"opcode ? FIRST : index_q + FIRST", "opcode ? FIRST : {1'b0, index_q[INDEX-2:0]} + FIRST"}},
-       "",
+       "scan",
        "",
        Kind::kHang,
        "longest_packet",
@@ -282,6 +297,24 @@ const std::vector<Planted>& cases() {
        "",
        Kind::kValue,
        "",
+       true},
+      {"scan_takes_an_offer_back",
+       "stage/wrinkle_scan.v",
+       {{"& ~waits & ~held;", "& ~waits;"}},
+       "normalize",
+       "",
+       Kind::kValue,
+       "shared_single_phong",
+       true},
+      // A buffer behind it takes either, so that no fragment shows it.
+      {"scan_takes_an_offer_back_before_a_buffer",
+       "stage/wrinkle_scan.v",
+       {{"& ~waits & ~held;", "& ~waits;"}},
+       "",
+       "",
+       Kind::kMissing,
+       "shared_single",
+       true,
        true},
       {"normalize_none_wraps",
        "unit/wrinkle_unit_vector.v",
@@ -314,10 +347,7 @@ const std::vector<Planted>& cases() {
 
 // A copy of the Verilog with the edits made; each must fit.
 fs::path plant(const Planted& planted) {
-  const fs::path root = fs::path(testing::TempDir()) / ("wrinkle_planted_" + std::to_string(getpid())) / planted.name;
-  fs::remove_all(root);
-  fs::create_directories(root);
-  fs::copy(fs::path(WRINKLE_SOURCE_DIR) / "rtl", root / "rtl", fs::copy_options::recursive);
+  const fs::path root = copy_verilog(planted.name);
   const fs::path file = root / "rtl" / planted.file;
   std::string text = read_text(file);
   for (const auto& [from, to] : planted.edits) {
@@ -329,6 +359,10 @@ fs::path plant(const Planted& planted) {
     text.replace(at, from.size(), to);
   }
   std::ofstream(file) << text;
+  if (planted.by_law) {
+    invert_payloads_that_are_not_valid(root);
+    stop_at_an_offer_taken_back(root);
+  }
   return root;
 }
 

@@ -25,7 +25,7 @@ inline std::vector<FragmentValues> golden_values(const Config& config, const std
 inline void expect_taps_are_golden(const Config& config, const PacketStream& stream,
                                    const std::vector<Texture>& textures, const BenchOptions& options) {
   const std::vector<FragmentValues> golden = golden_values(config, textures, stream);
-  ASSERT_GT(golden.size(), 500U);
+  ASSERT_GT(golden.size(), 1000U);
   const std::vector<Value> names = values(config);
   std::size_t next = 0, differences = 0;
   BenchSinks sinks;

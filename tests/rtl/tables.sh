@@ -14,7 +14,7 @@ $build/libgolden_pixel.a -lhwy"
 "${CXX:-c++}" -std=c++20 -O1 -I"$root" "$root/tests/rtl/tables.cpp" $golden -o "$work/wrapper"
 "$work/wrapper" --wrapper "$work/tables.v"
 if ! verilator --cc --exe --build -O3 -fno-const-bit-op-tree --x-assign fast --default-language 1364-2005 -Wno-fatal \
-  --top-module tables -y "$rtl/unit" -y "$rtl/lib" -CFLAGS "-std=c++20 -O2 -I$root -DTABLES_MODEL" \
+  --top-module tables -y "$rtl/unit" -y "$rtl/lib" -CFLAGS "-std=c++20 -I$root -DTABLES_MODEL" -MAKEFLAGS "OPT_SLOW=-O0 OPT_FAST=-O1" -j 2 \
   -LDFLAGS "$(echo $golden)" --Mdir "$work/model" -o check "$work/tables.v" "$root/tests/rtl/tables.cpp" \
   >"$work/log" 2>&1; then
   cat "$work/log"
