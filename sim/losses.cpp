@@ -51,8 +51,9 @@ Fate fate_of(const std::array<ScreenPoint, 3>& p, bool back, bool both_sides, co
 
 std::vector<std::string> losses(const Config& config, const Scene& scene) {
   std::vector<std::string> list;
+  const Shape shape(config);
   const auto any = [&](auto condition) { return std::ranges::any_of(scene.objects, condition); };
-  if (!config.has_bump() && any([](const Object& o) { return o.texture && o.space != ShadingSpace::kWorld; })) {
+  if (shape.bump_components == 0 && any([](const Object& o) { return o.texture && o.space != ShadingSpace::kWorld; })) {
     list.push_back("bumps are not drawn (datapath has none)");
   }
   if (config.decal == 0 && any(has_decal)) list.push_back("base colour textures are not drawn (decal = off)");
@@ -60,8 +61,8 @@ std::vector<std::string> losses(const Config& config, const Scene& scene) {
     list.push_back("texture coordinates are not corrected for perspective (perspective = off)");
   }
   const int exponent = largest_exponent(scene);
-  if (!config.has_specular() && exponent > 0) list.push_back("highlights are not drawn (lighting = diffuse)");
-  if (config.has_specular() && exponent > 1 << config.specular_squarings) {
+  if (shape.glossy == 0 && exponent > 0) list.push_back("highlights are not drawn (lighting = diffuse)");
+  if (shape.glossy != 0 && exponent > 1 << config.specular_squarings) {
     list.push_back(fmt::format("exponent {} is drawn as {} = 2^specular_squarings ({})", exponent,
                                1 << config.specular_squarings, config.specular_squarings));
   }
