@@ -122,7 +122,10 @@ std::string filled_in(const Job& job, const std::string& script) {
       map_registers + (job.options.full_adders ? techmap("square.v") + techmap("signed_multiply.v") + "opt\n" : "");
   // Rounds enough that no full adder of a stage keeps a constant pin.
   std::string constant_pins;
-  for (int round = 0; round < 8; ++round) constant_pins += techmap("full_adder_constant.v") + "techmap\nopt -full\n";
+  for (int round = 0; round < 8; ++round)
+    constant_pins +=
+        techmap("full_adder_constant.v") + "techmap t:$xor t:$and t:$or %u %u\nopt_expr\nopt_merge\nopt_clean\n";
+  constant_pins += "opt -full\n";
 
   const fs::path adders = job.options.adders.empty() ? "full_adders.ys" : job.options.adders;
   std::string text = script_text(script);
