@@ -49,13 +49,21 @@
 `endif
 
 `ifdef WRINKLE_SECTION_DERIVED
-  // vectors interpolated in the place of N
-  localparam FRAME_VECTORS = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 3 : DATAPATH == 3 ? 0 : 1;
-  // bits of an element of such a vector, without guard bits
-  localparam FRAME_WIDTH = DATAPATH == 0 ? VECTOR_BITS + 2 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ? WIDE_BITS
-    + 2 : DATAPATH == 3 ? 0 : VECTOR_BITS + 2;
-  // how many of the vectors, the last ones, are held over a triangle
-  localparam FRAME_HELD = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? (CROSS_PRODUCTS != 0 ? 2 : 0) :
+  // bits of an element of the first vector interpolated in the place of N, without guard bits; 0: there is none
+  localparam FRAME_0_WIDTH = DATAPATH == 0 ? VECTOR_BITS + 2 : DATAPATH == 1 ? VECTOR_BITS + 2 : DATAPATH == 2 ?
+    WIDE_BITS + 2 : DATAPATH == 3 ? 0 : VECTOR_BITS + 2;
+  localparam FRAME_0_HELD = 0;  // 1: it is held over a triangle
+  // bits of an element of the second vector interpolated in the place of N, without guard bits; 0: there is none
+  localparam FRAME_1_WIDTH = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? WIDE_BITS + 2 : DATAPATH == 3 ? 0 :
+    0;
+  // 1: it is held over a triangle
+  localparam FRAME_1_HELD = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? (CROSS_PRODUCTS != 0 ? 1 : 0) :
+    DATAPATH == 3 ? 0 : 0;
+  // bits of an element of the third vector interpolated in the place of N, without guard bits; 0: there is none
+  localparam FRAME_2_WIDTH = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? WIDE_BITS + 2 : DATAPATH == 3 ? 0 :
+    0;
+  // 1: it is held over a triangle
+  localparam FRAME_2_HELD = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 0 : DATAPATH == 2 ? (CROSS_PRODUCTS != 0 ? 1 : 0) :
     DATAPATH == 3 ? 0 : 0;
   // components of the bump map in a texel
   localparam BUMP_COMPONENTS = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 3 : DATAPATH == 2 ? 2 : DATAPATH == 3 ? 0 : 2;
@@ -84,21 +92,8 @@
   localparam SURFACE_IS_Z = DATAPATH == 0 ? 0 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 0 : DATAPATH == 3 ? 0 : 1;
   // 1: L and H may be constants of a draw
   localparam LIGHT_MAY_BE_CONSTANT = DATAPATH == 0 ? 1 : DATAPATH == 1 ? 1 : DATAPATH == 2 ? 1 : DATAPATH == 3 ? 0 : 0;
-  // elements of vector 0 of what is interpolated in the place of N
-  localparam FRAME_0_ELEMENTS = FRAME_VECTORS > 0 ? 3 : 0;
-  localparam FRAME_0_WIDTH = FRAME_VECTORS > 0 ? FRAME_WIDTH : 0;  // bits of such an element
-  localparam FRAME_0_HELD = FRAME_VECTORS > 0 && FRAME_VECTORS - FRAME_HELD <= 0 ? 1 : 0;  // 1: held over a triangle
-  // elements of vector 1 of what is interpolated in the place of N
-  localparam FRAME_1_ELEMENTS = FRAME_VECTORS > 1 ? 3 : 0;
-  localparam FRAME_1_WIDTH = FRAME_VECTORS > 1 ? FRAME_WIDTH : 0;  // bits of such an element
-  localparam FRAME_1_HELD = FRAME_VECTORS > 1 && FRAME_VECTORS - FRAME_HELD <= 1 ? 1 : 0;  // 1: held over a triangle
-  // elements of vector 2 of what is interpolated in the place of N
-  localparam FRAME_2_ELEMENTS = FRAME_VECTORS > 2 ? 3 : 0;
-  localparam FRAME_2_WIDTH = FRAME_VECTORS > 2 ? FRAME_WIDTH : 0;  // bits of such an element
-  localparam FRAME_2_HELD = FRAME_VECTORS > 2 && FRAME_VECTORS - FRAME_HELD <= 2 ? 1 : 0;  // 1: held over a triangle
   // bits of what is interpolated in the place of N
-  localparam FRAME = FRAME_0_ELEMENTS * FRAME_0_WIDTH + FRAME_1_ELEMENTS * FRAME_1_WIDTH + FRAME_2_ELEMENTS *
-    FRAME_2_WIDTH;
+  localparam FRAME = 3 * (FRAME_0_WIDTH + FRAME_1_WIDTH + FRAME_2_WIDTH);
   localparam NORMAL = 3 * NORMAL_WIDTH;  // bits of N'
   localparam GLOSSY = LIGHTING != 0 ? 1 : 0;  // 1: a third vector, H or the view vector E, and with it a highlight
   // bits of an element of L and H before normalization, s1.V; 0: constants of the draw
@@ -136,56 +131,71 @@
   // bits of the scan part of a packet
   localparam SCAN_BITS = 5 + SCREEN_BITS + 2 * (SCREEN_BITS + 1) + 3 * (2 * (SCREEN_BITS + 2) + 3 * EDGE_BITS + 1);
   localparam SCAN_WORDS = (SCAN_BITS + 63) / 64;  // its words
-  // for vector 0 of the frame
-  localparam FRAME_0_BITS = FRAME_0_ELEMENTS * (FRAME_0_HELD != 0 ? FRAME_0_WIDTH : 3 * (FRAME_0_WIDTH + GUARD_BITS));
-  // for vector 1 of the frame
-  localparam FRAME_1_BITS = FRAME_1_ELEMENTS * (FRAME_1_HELD != 0 ? FRAME_1_WIDTH : 3 * (FRAME_1_WIDTH + GUARD_BITS));
-  // for vector 2 of the frame
-  localparam FRAME_2_BITS = FRAME_2_ELEMENTS * (FRAME_2_HELD != 0 ? FRAME_2_WIDTH : 3 * (FRAME_2_WIDTH + GUARD_BITS));
-  // bits of the planes part of a packet for L and H
-  localparam LIGHT_BITS = LIGHT_VECTORS == 0 ? 9 * (1 + GLOSSY) * (LIGHT_WIDTH + GUARD_BITS) : 0;
-  localparam UV_PLANE_BITS = TEXTURED * 6 * (UV + GUARD_BITS);  // for u and v
-  localparam Q_PLANE_BITS = Q != 0 ? 3 * (Q + GUARD_BITS) : 0;  // for 1/w
-  localparam LOD_FIELD_BITS = LOD_PLANE != 0 ? 3 * (LOD_PLANE + GUARD_BITS) : LOD_HELD;  // for the level of detail
-  localparam Z_PLANE_BITS = Z != 0 ? 3 * (Z + GUARD_BITS) : 0;  // for z
-  // bits of the planes part of a packet
-  localparam PLANE_BITS = FRAME_0_BITS + FRAME_1_BITS + FRAME_2_BITS + LIGHT_BITS + UV_PLANE_BITS + Q_PLANE_BITS +
-    LOD_FIELD_BITS + Z_PLANE_BITS;
-  localparam PLANE_WORDS = (PLANE_BITS + 63) / 64;  // its words
   localparam DRAW_WORDS = LIGHT_VECTORS != 0 ? 6 : 4;  // words of a draw packet
-  localparam LOD_HELD_ELEMENTS = LOD_HELD != 0 ? 1 : 0;  // elements of that field of `interpolate`
-  localparam Z_ELEMENTS = Z != 0 ? 1 : 0;  // elements of that field of `interpolate`
-  localparam LOD_PLANE_ELEMENTS = LOD_PLANE != 0 ? 1 : 0;  // elements of that field of `interpolate`
-  localparam Q_ELEMENTS = Q != 0 ? 1 : 0;  // elements of that field of `interpolate`
-  localparam H_VECTOR_ELEMENTS = H_VECTOR != 0 ? 3 : 0;  // elements of that field of `interpolate`
-  localparam L_VECTOR_ELEMENTS = L_VECTOR != 0 ? 3 : 0;  // elements of that field of `interpolate`
+  // L and the third vector interpolated and normalized; else constants of the draw
+  localparam HAS_LIGHT_PLANES = LIGHT_VECTORS == 0 ? 1 : 0;
+  localparam DIVIDES = Q != 0 ? 1 : 0;  // u and v are divided by q
+  localparam LOD_FRACTION_BITS = FILTER == 2 ? LOD_BITS : 0;  // fraction bits of the level of detail as it is used
+  localparam VECTOR_WIDTH = VECTOR_BITS + 2;  // bits of vectors before normalization, s1.V
+  localparam UV_WIDTH = UV_INTEGER_BITS + UV_BITS;  // bits of u and v
   // The list of wrinkle_interpolate: of each field the number of elements, the bits of one, whether it is held over
-  // a triangle, and the stage that reads it first: 1 perspective, 2 texture, 3 perturb, 4 normalize, 6 output.
+  // a triangle, and how many stages further on it is first read.
   localparam FIELDS = 11;
+  localparam FIELD_FRAME_0_ELEMENTS = FRAME_0_WIDTH != 0 ? 3 : 0;
+  localparam FIELD_FRAME_0_WIDTH = FRAME_0_WIDTH;
+  localparam FIELD_FRAME_1_ELEMENTS = FRAME_1_WIDTH != 0 ? 3 : 0;
+  localparam FIELD_FRAME_1_WIDTH = FRAME_1_WIDTH;
+  localparam FIELD_FRAME_2_ELEMENTS = FRAME_2_WIDTH != 0 ? 3 : 0;
+  localparam FIELD_FRAME_2_WIDTH = FRAME_2_WIDTH;
+  localparam FIELD_L_ELEMENTS = HAS_LIGHT_PLANES != 0 ? 3 : 0;
+  localparam FIELD_L_WIDTH = VECTOR_WIDTH;
+  localparam FIELD_H_ELEMENTS = GLOSSY != 0 && HAS_LIGHT_PLANES != 0 ? 3 : 0;
+  localparam FIELD_H_WIDTH = VECTOR_WIDTH;
+  localparam FIELD_U_ELEMENTS = TEXTURED != 0 ? 1 : 0;
+  localparam FIELD_U_WIDTH = UV_WIDTH;
+  localparam FIELD_V_ELEMENTS = TEXTURED != 0 ? 1 : 0;
+  localparam FIELD_V_WIDTH = UV_WIDTH;
+  localparam FIELD_Q_ELEMENTS = DIVIDES != 0 ? 1 : 0;
+  localparam FIELD_Q_WIDTH = Q_BITS;
+  localparam FIELD_LOD_ELEMENTS = TEXTURED != 0 && DIVIDES != 0 ? 1 : 0;
+  localparam FIELD_LOD_WIDTH = 6 + LOD_FRACTION_BITS;
+  localparam FIELD_Z_ELEMENTS = DEPTH != 0 ? 1 : 0;
+  localparam FIELD_Z_WIDTH = DEPTH_BITS;
+  localparam FIELD_LOD_HELD_ELEMENTS = TEXTURED != 0 && DIVIDES == 0 ? 1 : 0;
+  localparam FIELD_LOD_HELD_WIDTH = 6 + LOD_FRACTION_BITS - 2;
+  // bits of the planes part of a packet
+  localparam PLANE_BITS = FIELD_FRAME_0_ELEMENTS * (FRAME_0_HELD != 0 ? FIELD_FRAME_0_WIDTH : 3 * (FIELD_FRAME_0_WIDTH +
+    GUARD_BITS)) + FIELD_FRAME_1_ELEMENTS * (FRAME_1_HELD != 0 ? FIELD_FRAME_1_WIDTH : 3 * (FIELD_FRAME_1_WIDTH +
+    GUARD_BITS)) + FIELD_FRAME_2_ELEMENTS * (FRAME_2_HELD != 0 ? FIELD_FRAME_2_WIDTH : 3 * (FIELD_FRAME_2_WIDTH +
+    GUARD_BITS)) + FIELD_L_ELEMENTS * 3 * (FIELD_L_WIDTH + GUARD_BITS) + FIELD_H_ELEMENTS * 3 * (FIELD_H_WIDTH +
+    GUARD_BITS) + FIELD_U_ELEMENTS * 3 * (FIELD_U_WIDTH + GUARD_BITS) + FIELD_V_ELEMENTS * 3 * (FIELD_V_WIDTH +
+    GUARD_BITS) + FIELD_Q_ELEMENTS * 3 * (FIELD_Q_WIDTH + GUARD_BITS) + FIELD_LOD_ELEMENTS * 3 * (FIELD_LOD_WIDTH +
+    GUARD_BITS) + FIELD_Z_ELEMENTS * 3 * (FIELD_Z_WIDTH + GUARD_BITS) + FIELD_LOD_HELD_ELEMENTS * FIELD_LOD_HELD_WIDTH;
+  localparam PLANE_WORDS = (PLANE_BITS + 63) / 64;  // its words
   localparam [32*FIELDS-1:0] FIELD_ELEMENTS = {
-    32'd0 | LOD_HELD_ELEMENTS[31:0],
-    32'd0 | Z_ELEMENTS[31:0],
-    32'd0 | LOD_PLANE_ELEMENTS[31:0],
-    32'd0 | Q_ELEMENTS[31:0],
-    32'd0 | TEXTURED[31:0],
-    32'd0 | TEXTURED[31:0],
-    32'd0 | H_VECTOR_ELEMENTS[31:0],
-    32'd0 | L_VECTOR_ELEMENTS[31:0],
-    32'd0 | FRAME_2_ELEMENTS[31:0],
-    32'd0 | FRAME_1_ELEMENTS[31:0],
-    32'd0 | FRAME_0_ELEMENTS[31:0]};
+    32'd0 | FIELD_LOD_HELD_ELEMENTS[31:0],
+    32'd0 | FIELD_Z_ELEMENTS[31:0],
+    32'd0 | FIELD_LOD_ELEMENTS[31:0],
+    32'd0 | FIELD_Q_ELEMENTS[31:0],
+    32'd0 | FIELD_V_ELEMENTS[31:0],
+    32'd0 | FIELD_U_ELEMENTS[31:0],
+    32'd0 | FIELD_H_ELEMENTS[31:0],
+    32'd0 | FIELD_L_ELEMENTS[31:0],
+    32'd0 | FIELD_FRAME_2_ELEMENTS[31:0],
+    32'd0 | FIELD_FRAME_1_ELEMENTS[31:0],
+    32'd0 | FIELD_FRAME_0_ELEMENTS[31:0]};
   localparam [32*FIELDS-1:0] FIELD_WIDTHS = {
-    32'd0 | LOD_HELD[31:0],
-    32'd0 | Z[31:0],
-    32'd0 | LOD_PLANE[31:0],
-    32'd0 | Q[31:0],
-    32'd0 | UV[31:0],
-    32'd0 | UV[31:0],
-    32'd0 | LIGHT_WIDTH[31:0],
-    32'd0 | LIGHT_WIDTH[31:0],
-    32'd0 | FRAME_2_WIDTH[31:0],
-    32'd0 | FRAME_1_WIDTH[31:0],
-    32'd0 | FRAME_0_WIDTH[31:0]};
+    32'd0 | FIELD_LOD_HELD_WIDTH[31:0],
+    32'd0 | FIELD_Z_WIDTH[31:0],
+    32'd0 | FIELD_LOD_WIDTH[31:0],
+    32'd0 | FIELD_Q_WIDTH[31:0],
+    32'd0 | FIELD_V_WIDTH[31:0],
+    32'd0 | FIELD_U_WIDTH[31:0],
+    32'd0 | FIELD_H_WIDTH[31:0],
+    32'd0 | FIELD_L_WIDTH[31:0],
+    32'd0 | FIELD_FRAME_2_WIDTH[31:0],
+    32'd0 | FIELD_FRAME_1_WIDTH[31:0],
+    32'd0 | FIELD_FRAME_0_WIDTH[31:0]};
   localparam [32*FIELDS-1:0] FIELD_HELD = {
     32'd1,
     32'd0,

@@ -51,7 +51,7 @@ module wrinkle_core #(
 `include "wrinkle_config.vh"
 `undef WRINKLE_SECTION_RULES
 
-  // packet
+  // packet: takes the words apart into the draw state and the words of scan and interpolate
   wire [63:0] packet_word;
   wire        scan_shift, plane_shift, plane_last, triangle_valid, triangle_take, packet_busy;
   wire        draw_bump, draw_textured, draw_shadow, draw_exponent_zero;
@@ -81,7 +81,7 @@ module wrinkle_core #(
     .draw_diffuse_o(draw_diffuse), .draw_specular_o(draw_specular), .draw_l_o(draw_l), .draw_h_o(draw_h),
     .busy_o(packet_busy));
 
-  // scan: the walk it takes, and the pixel on which it stands
+  // scan: walks the triangle, leads interpolate by walk_*, and hands on the pixel on which it stands
   wire walk_step, walk_carry, walk_span, walk_first, walk_pixel;
   wire scan_valid, scan_ready, scan_last;
   wire [SCREEN_BITS-1:0] scan_x, scan_y;
@@ -95,7 +95,7 @@ module wrinkle_core #(
     .pixel_o(walk_pixel), .out_valid_o(scan_valid), .out_ready_i(scan_ready), .x_o(scan_x), .y_o(scan_y),
     .last_o(scan_last), .busy_o(scan_busy));
 
-  // interpolate: moves in step with scan, and so shares its handshake
+  // interpolate: every plane at that pixel; it moves in step with scan, and so shares its handshake
   wire                    interpolate_valid, interpolate_ready;
   wire [INTERPOLATED-1:0] interpolate_values;  // {q, v, u, lod, frame, h, l, z}
   wire [PERSPECTIVE_CARRY-1:0] interpolate_others;
@@ -137,7 +137,7 @@ module wrinkle_core #(
   wrinkle_level #(.BITS(PERSPECTIVE_CARRY), .PLANE(LOD_PLANE), .HELD(LOD_HELD)) level (
     .bus_i(interpolate_others), .level_o(interpolate_lod));
 
-  // perspective
+  // perspective: u and v, divided by q
   wire perspective_valid, perspective_ready;
   wire [(UV != 0 ? UV : 1)-1:0]   perspective_u, perspective_v;
   wire [(LOD != 0 ? LOD : 1)-1:0] perspective_lod;
@@ -152,7 +152,7 @@ module wrinkle_core #(
   wrinkle_level #(.BITS(PERSPECTIVE_CARRY), .PLANE(LOD_PLANE), .HELD(LOD_HELD)) perspective_level (
     .bus_i(perspective_others), .level_o(perspective_lod));
 
-  // texture
+  // texture: asks for texels, decodes and filters them into the bump map and the base colour
   wire texture_valid, texture_ready;
   wire [(FRAME != 0 ? FRAME : 1)-1:0]   texture_frame;
   wire [(BUMP != 0 ? BUMP : 1)-1:0]     texture_bump;
@@ -194,7 +194,7 @@ module wrinkle_core #(
     end
   endgenerate
 
-  // perturb
+  // perturb: N' of the datapath, from its frame of vectors and the bump map
   wire perturb_valid, perturb_ready;
   wire [(NORMAL != 0 ? NORMAL : 1)-1:0]     perturb_n;
   wire [(L_VECTOR != 0 ? L_VECTOR : 1)-1:0] perturb_l;
@@ -210,7 +210,7 @@ module wrinkle_core #(
   wrinkle_field #(.BITS(PERTURB_CARRY), .AT(NORMALIZE_CARRY + L_VECTOR), .WIDTH(H_VECTOR)) field_perturb_h (
     .bus_i(perturb_others), .field_o(perturb_h));
 
-  // normalize
+  // normalize: N, L and H of unit length, or mantissas with their scales
   wire normalize_valid, normalize_ready, normalize_zero, normalize_ahead;
   wire [UNIT-1:0]                         normalize_n, normalize_l;
   wire [(GLOSSY != 0 ? UNIT : 1)-1:0]     normalize_h;
@@ -229,7 +229,7 @@ module wrinkle_core #(
     .h_o(normalize_h), .scale_o(normalize_scale), .zero_o(normalize_zero), .ahead_o(normalize_ahead),
     .carry_o(normalize_others), .busy_o(normalize_busy));
 
-  // light
+  // light: N.L and N.H, the power, self-shadow
   wire light_valid, light_ready;
   wire [DOT_BITS:0] light_nl, light_diffuse;
   wire [(GLOSSY != 0 ? DOT_BITS : 0):0]   light_nh;
@@ -254,7 +254,7 @@ module wrinkle_core #(
   wrinkle_field #(.BITS(LIGHT_CARRY), .AT(TAG), .WIDTH(DECALS)) field_light_decal (
     .bus_i(light_others), .field_o(light_decal));
 
-  // output
+  // output: the colour, and with it all that was carried along
   wire output_valid, output_ready;
   wire [COUNT*COLOUR_BITS-1:0] output_colour;
   wire [TAG:0]                 output_others;  // {zero, z, last, y, x}

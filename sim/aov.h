@@ -10,22 +10,23 @@
 
 namespace wrinkle {
 
+// The same number of a float64 engine: an element of a value of golden/exact/fragment.def.
+using ExactNumber = double (*)(const ExactFragment&, std::size_t element);
+
 // One number of a fragment.
 struct AovChannel {
   std::string name;  // N.x, u, triangle ...
   int value = -1;    // index in values(config); -1 for `triangle`
   std::size_t element = 0;
-  double scale = 1;                                 // turns the integer into a real number
-  double (*exact)(const ExactFragment&) = nullptr;  // the same number of a float64 engine
-  int factor = -1;                                  // index of the value that it is multiplied by; -1: none
+  double scale = 1;             // turns the integer into a real number
+  ExactNumber exact = nullptr;  // of `exact_element`; null for `triangle`
+  std::size_t exact_element = 0;
+  int factor = -1;  // index of the value that it is multiplied by; -1: none
   std::size_t factor_element = 0;
 };
 
-// Names that aov_channels() accepts, with what they are.
-struct AovName {
-  std::string_view name, description;
-};
-std::vector<AovName> aov_names();
+// What `--aov` accepts: short names, and STAGE_VALUE of every other value that has an exact twin.
+std::string aov_help();
 
 // Throws InputError for a name that does not exist, or for a value that the configuration does not have.
 std::vector<AovChannel> aov_channels(const Config& config, const std::vector<std::string>& names);

@@ -167,7 +167,7 @@ int area(const Options& options) {
 
 }  // namespace
 
-void add_area(CLI::App& app, Run& run) {
+void add_area(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("area", "Synthesise every stage alone and the whole flat: area, timing, FPGA cells");
@@ -195,7 +195,8 @@ void add_area(CLI::App& app, Run& run) {
   command->add_flag("--check", options->check,
                     "The figures against tests/baselines/area.json and area_slow.json; exit 1 when worse");
   command->add_flag("--keep", options->keep, "Write the figures to these files");
-  command->add_flag("--quick", options->quick, "The figures without texture units and flat netlists, and area.json alone");
+  command->add_flag("--quick", options->quick,
+                    "The figures without texture units and flat netlists, and area.json alone");
   add_json_option(*command, options->json);
   command->callback([options, &run] { run = [options] { return area(*options); }; });
 }

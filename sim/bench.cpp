@@ -125,7 +125,7 @@ int bench(const Options& options) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, Run& run) {
+void add_bench(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("bench", "Measure throughput in clocks and speed of simulation");
   add_config_options(*command, options->config);

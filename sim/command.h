@@ -19,19 +19,19 @@ namespace wrinkle {
 inline constexpr int kExitEqual = 0, kExitDifferent = 1, kExitBadInput = 2;
 
 // Set by the command that was chosen; returns the exit code.
-using Run = std::function<int()>;
+using Action = std::function<int()>;
 
-void add_demo(CLI::App& app, Run& run);
-void add_render(CLI::App& app, Run& run);
-void add_verify(CLI::App& app, Run& run);
-void add_stress(CLI::App& app, Run& run);
-void add_bench(CLI::App& app, Run& run);
-void add_area(CLI::App& app, Run& run);
-void add_error(CLI::App& app, Run& run);
-void add_speed(CLI::App& app, Run& run);
-void add_figures(CLI::App& app, Run& run);
-void add_report(CLI::App& app, Run& run);
-void add_generate(CLI::App& app, Run& run);
+void add_demo(CLI::App& app, Action& run);
+void add_render(CLI::App& app, Action& run);
+void add_verify(CLI::App& app, Action& run);
+void add_stress(CLI::App& app, Action& run);
+void add_bench(CLI::App& app, Action& run);
+void add_area(CLI::App& app, Action& run);
+void add_error(CLI::App& app, Action& run);
+void add_speed(CLI::App& app, Action& run);
+void add_figures(CLI::App& app, Action& run);
+void add_report(CLI::App& app, Action& run);
+void add_generate(CLI::App& app, Action& run);
 
 // --config NAME and --set KEY=VALUE.
 struct ConfigOptions {

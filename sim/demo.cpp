@@ -51,7 +51,7 @@ int demo(const Options& options) {
 
 }  // namespace
 
-void add_demo(CLI::App& app, Run& run) {
+void add_demo(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("demo", "The main job: the paper's pictures by golden and RTL, compared bit for bit");

@@ -23,7 +23,7 @@ EngineRun draw_float(Engine engine, const Config& config, const Frame& frame, co
   const auto hand_on = [&](const ExactFragment& fragment) {
     ++run.fragments;
     for (std::size_t i = 0; i < aovs.size(); ++i)
-      numbers[i] = aovs[i].exact ? aovs[i].exact(fragment) : fragment.triangle + 1.0;
+      numbers[i] = aovs[i].exact ? aovs[i].exact(fragment, aovs[i].exact_element) : fragment.triangle + 1.0;
     sink({fragment.x,
           fragment.y,
           fragment.z,
@@ -113,10 +113,10 @@ Engine engine_named(const std::string& name) {
   throw InputError(Place{"--engine"}, name, fmt::format("one of {}", engine_names()));
 }
 
-Sample to_sample(const Config& config, const Fragment& fragment, std::uint32_t triangle) {
+Sample to_sample(const Shape& config, const Fragment& fragment, std::uint32_t triangle) {
   Sample sample{fragment.x, fragment.y, std::ldexp(double(fragment.z), -config.depth_bits), {}, triangle, {}};
   const double one = (1 << config.colour_bits) - 1;
-  for (std::size_t c = 0; c < 3; ++c) sample.colour[c] = fragment.colour[config.channel_count() == 1 ? 0 : c] / one;
+  for (std::size_t c = 0; c < 3; ++c) sample.colour[c] = fragment.colour[config.count == 1 ? 0 : c] / one;
   return sample;
 }
 

@@ -36,6 +36,6 @@ Framebuffer framebuffer_for(const Config& config, const Frame& frame, const std:
 Framebuffer drawn(Engine engine, const Config& config, const Frame& frame, const std::vector<AovChannel>& aovs = {});
 
 // Colour codes and z of a hardware fragment as real numbers.
-Sample to_sample(const Config& config, const Fragment& fragment, std::uint32_t triangle);
+Sample to_sample(const Shape& config, const Fragment& fragment, std::uint32_t triangle);
 
 }  // namespace wrinkle

@@ -68,7 +68,7 @@ int error(const Options& options) {
 
 }  // namespace
 
-void add_error(CLI::App& app, Run& run) {
+void add_error(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("error", "Precision error by stage, method error apart");
   command->add_option("config", options->config, "Configuration, by name or .toml file")->capture_default_str();

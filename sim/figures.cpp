@@ -95,7 +95,7 @@ int figures(const Options& options) {
 
 }  // namespace
 
-void add_figures(CLI::App& app, Run& run) {
+void add_figures(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("figures", "Figs. 5, 6 and 7 of the paper side by side, and their differences");

@@ -19,7 +19,7 @@ void write(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-void add_generate(CLI::App& app, Run& run) {
+void add_generate(CLI::App& app, Action& run) {
   CLI::App& command = *app.add_subcommand(
       "generate", "For developers: write the checked-in files that are made from golden/config and golden/datapath");
   command.callback([&run] {

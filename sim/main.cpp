@@ -13,7 +13,7 @@ int run(int argc, char** argv) {
   app.footer(
       "exit code: 0 done and equal, 1 compared and different, 2 bad input\nAlso: ./wrinkle test [--long] builds and "
       "runs all tests.");
-  wrinkle::Run command;
+  wrinkle::Action command;
   wrinkle::add_demo(app, command);
   wrinkle::add_render(app, command);
   wrinkle::add_verify(app, command);

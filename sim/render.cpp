@@ -65,7 +65,7 @@ int render(const Options& options) {
 
 }  // namespace
 
-void add_render(CLI::App& app, Run& run) {
+void add_render(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("render", "Draw a scene with any engine");
   command->add_option("SCENE", options->scene, fmt::format("A scene file, or {}", fmt::join(named_scenes(), ", ")))
@@ -73,9 +73,7 @@ void add_render(CLI::App& app, Run& run) {
   command->add_option("-e,--engine", options->engine, std::string(engine_names()))->capture_default_str();
   add_config_options(*command, options->config);
   command->add_option("--size", options->size, "WIDTHxHEIGHT instead of the scene's");
-  std::string names;
-  for (const AovName& aov : aov_names()) names += fmt::format("\n  {}: {}", aov.name, aov.description);
-  command->add_option("--aov", options->aovs, "Intermediates to write as EXR channels, by commas:" + names)
+  command->add_option("--aov", options->aovs, "Intermediates to write as EXR channels, by commas:" + aov_help())
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("-o,--output", options->output, "Picture to write, .png or .exr");

@@ -79,7 +79,7 @@ int report(const Options& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, Run& run) {
+void add_report(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "One page of everything measured: area, error, pictures, speed");
   command->add_option("-o,--output", options->folder, "Folder for report.html, .json, .csv and .md")

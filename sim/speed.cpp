@@ -57,7 +57,7 @@ int speed(const Options& options) {
 
 }  // namespace
 
-void add_speed(CLI::App& app, Run& run) {
+void add_speed(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("speed", "Speed for accuracy: all engines, and the chip");
   command->add_option("config", options->config, "What the engines are timed in")->capture_default_str();

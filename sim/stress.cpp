@@ -76,7 +76,7 @@ int stress(const Options& options) {
 
 }  // namespace
 
-void add_stress(CLI::App& app, Run& run) {
+void add_stress(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("stress", "Draw the catalogue of numerical extremes and print the errors");
   command->add_option("--only", options->entries, "Numbers of entries, by commas")

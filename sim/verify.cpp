@@ -194,7 +194,7 @@ void add_digest_options(CLI::App& command, DigestOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, Run& run) {
+void add_verify(CLI::App& app, Action& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("verify", "Compare golden and RTL, every fragment, bit for bit");
   command->add_option("SCENE", options->scenes, fmt::format("Scene files, or {}", fmt::join(named_scenes(), ", ")));

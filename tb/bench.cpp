@@ -44,6 +44,8 @@ std::string what(const Difference& d) {
       return "the RTL asks for a texel outside its texture";
     case Difference::Kind::kHold:
       return "a stream changed before it was taken";
+    case Difference::Kind::kIdle:
+      return "the core said that it is idle, with a packet held or a fragment in flight";
     case Difference::Kind::kValue:
       break;
   }
@@ -75,7 +77,7 @@ std::string describe(const Difference& d) {
 
 BenchResult run_bench(const Config& config, const PacketStream& stream, const std::vector<Texture>& textures,
                       std::string_view frame_name, const BenchOptions& options, const BenchSinks& sinks) {
-  Run run;
+  BenchRun run;
   run.config = &config;
   run.words = stream.words;
   run.textures = &textures;

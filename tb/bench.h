@@ -45,6 +45,7 @@ struct Difference {
     kHang,     // nothing moves any more
     kRequest,  // a texel outside its texture was asked for
     kHold,     // a stream changed or withdrew its payload before it was taken
+    kIdle,     // the core said that it is idle, and was not
   };
   Kind kind = Kind::kValue;
   std::string frame;

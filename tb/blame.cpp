@@ -26,7 +26,7 @@ struct GoldenValues {
   FragmentValues values;
   std::uint64_t total = 0;
 };
-GoldenValues golden_values(const Run& run, Words words, std::uint64_t fragment) {
+GoldenValues golden_values(const BenchRun& run, Words words, std::uint64_t fragment) {
   GoldenValues found;
   const auto look = [&](const auto& batch) {
     const auto count = static_cast<std::uint64_t>(batch.count);
@@ -39,9 +39,9 @@ GoldenValues golden_values(const Run& run, Words words, std::uint64_t fragment) 
   return found;
 }
 
-Run replay(const Run& run, Words words, Model& model) {
+BenchRun replay(const BenchRun& run, Words words, Model& model) {
   static const BenchSinks no_sinks;
-  Run again;
+  BenchRun again;
   again.config = run.config;
   again.words = words;
   again.textures = run.textures;
@@ -54,7 +54,7 @@ Run replay(const Run& run, Words words, Model& model) {
 // The first stage that handed on more than the fragments there are, each as often as the stage moves one; else the
 // first that handed on fewer in a run that came to its end. (What multiplies fragments also holds up the stages before
 // it.)
-std::string stage_by_count(const Run& run, std::uint64_t total) {
+std::string stage_by_count(const BenchRun& run, std::uint64_t total) {
   const PerStage<int> moves = stage_moves(*run.config);
   std::string fewer;
   for (std::size_t stage = 0; stage < run.stages.size(); ++stage) {
@@ -67,7 +67,7 @@ std::string stage_by_count(const Run& run, std::uint64_t total) {
 }
 
 // Above the culprit of a hang every stage offers what is not taken; from it on nothing is offered.
-std::string stage_by_hang(const Run& run) {
+std::string stage_by_hang(const BenchRun& run) {
   for (std::size_t stage = 0; stage < run.stages.size(); ++stage) {
     if (run.stages[stage].visible && !run.stages[stage].valid) return std::string(kStageNames[stage]);
   }
@@ -85,7 +85,7 @@ void name(Difference& d, const Value& value, std::size_t element, std::int64_t g
 }
 
 // The first value in pipeline order that differs among those of the stages `from` to `to`.
-bool name_by_value(Difference& d, const Run& run, const FragmentValues& golden, Stage from, Stage to) {
+bool name_by_value(Difference& d, const BenchRun& run, const FragmentValues& golden, Stage from, Stage to) {
   const std::vector<Value> all = values(*run.config);
   const PerStage<int> moves = stage_moves(*run.config);
   const FragmentValues& rtl = run.first->rtl_values;
@@ -104,7 +104,7 @@ bool name_by_value(Difference& d, const Run& run, const FragmentValues& golden, 
 }
 
 // All stages agree: it went wrong on the way to the port.
-void name_by_port(Difference& d, const Run& run) {
+void name_by_port(Difference& d, const BenchRun& run) {
   const Config& config = *run.config;
   const Fragment &g = *run.first->golden, &r = *run.first->rtl;
   const auto port = [&](const char* port_name, int width, int fraction, std::size_t element, std::int64_t golden,
@@ -122,7 +122,7 @@ void name_by_port(Difference& d, const Run& run) {
 }
 
 // What the replayed run says of the difference. False when it shows none.
-bool name_stage(Difference& d, const Run& run) {
+bool name_stage(Difference& d, const BenchRun& run) {
   if (!run.first) return false;
   const GoldenValues golden = golden_values(run, run.words, run.first->fragment);
   switch (run.first->kind) {
@@ -135,6 +135,7 @@ bool name_stage(Difference& d, const Run& run) {
       return !d.stage.empty();
     case Difference::Kind::kRequest:
     case Difference::Kind::kHold:
+    case Difference::Kind::kIdle:
       d.stage = std::string(run.first->stage);
       return true;
     case Difference::Kind::kValue:
@@ -148,11 +149,11 @@ bool name_stage(Difference& d, const Run& run) {
   return true;
 }
 
-void write_trace(Difference& d, const Run& run, Words words, std::uint64_t cycle) {
+void write_trace(Difference& d, const BenchRun& run, Words words, std::uint64_t cycle) {
   BenchOptions options = *run.options;
   options.model.trace = true;
   Model model(build_model(*run.config, options.model, options.progress), options.seed);
-  Run traced = replay(run, words, model);
+  BenchRun traced = replay(run, words, model);
   traced.options = &options;
   traced.trace_from = cycle > kTraceBefore ? cycle - kTraceBefore : 0;
   traced.stop_after = cycle + kTraceAfter;
@@ -161,7 +162,7 @@ void write_trace(Difference& d, const Run& run, Words words, std::uint64_t cycle
   d.trace_cycle = cycle;
 }
 
-Difference locate(const Run& run, const PacketStream& stream, std::string_view frame_name) {
+Difference locate(const BenchRun& run, const PacketStream& stream, std::string_view frame_name) {
   const FirstDifference& first = *run.first;
   Difference d;
   d.kind = first.kind;
@@ -183,14 +184,14 @@ Difference locate(const Run& run, const PacketStream& stream, std::string_view f
 
 }  // namespace
 
-Difference blame(const Run& run, const PacketStream& stream, std::string_view frame_name) {
+Difference blame(const BenchRun& run, const PacketStream& stream, std::string_view frame_name) {
   Difference d = locate(run, stream, frame_name);
   d.stage = std::string(run.first->stage);
   if (!run.options->blame || d.kind == Difference::Kind::kRequest) return d;
   const Words draw = words_of_draw(stream, d.packet);
   for (const Words words : {draw, Words(stream.words)}) {
     Model model(build_model(*run.config, run.options->model, run.options->progress), run.options->seed);
-    Run again = replay(run, words, model);
+    BenchRun again = replay(run, words, model);
     again.tapped = true;
     simulate(again);
     if (!name_stage(d, again)) continue;

@@ -8,6 +8,6 @@ namespace wrinkle {
 
 // Names the difference a run ended with. Replays its draw, and where that shows nothing the whole stream with the same
 // seeds, with the wires between the stages sampled.
-Difference blame(const Run& run, const PacketStream& stream, std::string_view frame_name);
+Difference blame(const BenchRun& run, const PacketStream& stream, std::string_view frame_name);
 
 }  // namespace wrinkle

@@ -214,8 +214,7 @@ std::vector<std::string> visible_wires(const Config& config) {
     wires.push_back(fmt::format("{}_ready", stage));
   }
   for (const Value& value : values(config)) {
-    if (std::find(wires.begin(), wires.end(), value.wire) == wires.end())
-      wires.emplace_back(value.wire);
+    if (std::find(wires.begin(), wires.end(), value.wire) == wires.end()) wires.emplace_back(value.wire);
   }
   return wires;
 }

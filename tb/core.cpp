@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "tb/idle_watch.h"
 #include "tb/tap_recorder.h"
 
 namespace wrinkle {
@@ -48,15 +49,16 @@ void set_words(std::array<std::uint64_t, n>& pin, const std::uint64_t* words, st
 // to offer, offer_NAME(), and tells NAME_taken(); of an output stream it tells NAME_taken() before the clock edge.
 class Clockwork {
  public:
-  Clockwork(Run& run, BlockReader<WordBlock>& words, QuadFetch& quads)
+  Clockwork(BenchRun& run, BlockReader<WordBlock>& words, QuadFetch& quads)
       : run_(run),
         model_(*run.model),
         words_(words),
         quads_(quads),
         taps_(values(*run.config), stage_moves(*run.config), run.model->wires()),
+        idle_(*run.config),
         stalls_(stall_sources(*run.options)),
         colour_bits_(run.config->colour_bits),
-        channels_(run.config->channel_count()) {
+        channels_(Shape(*run.config).count) {
     if (run.tapped) run.visible_values = taps_.visible_values();
   }
 
@@ -174,6 +176,9 @@ class Clockwork {
   }                                                   \
   held |= pins_.stream##_valid && !pins_.stream##_ready;
 #include "golden/streams.def"
+    const bool moving = pins_.texel_request_valid || !quads_.empty() || pins_.fragment_valid;
+    if (!idle_.good(pins_.idle != 0, moving, take_packet, pins_.packet_word))
+      run_.differ(here(Difference::Kind::kIdle));
 
     if (cycle_ == run_.trace_from) {
       model_.trace_open(run_.options->trace);
@@ -229,11 +234,12 @@ class Clockwork {
     return d;
   }
 
-  Run& run_;
+  BenchRun& run_;
   Model& model_;
   BlockReader<WordBlock>& words_;
   QuadFetch& quads_;
   TapRecorder taps_;
+  IdleWatch idle_;
   PerStream<StallSource> stalls_;
   int colour_bits_, channels_;
   Pins pins_;

@@ -20,14 +20,14 @@ class Core : public sc_core::sc_module {
 
   Core(const sc_core::sc_module_name& name, sc_core::sc_event& start);
 
-  void start(Run& run) { run_ = &run; }
+  void start(BenchRun& run) { run_ = &run; }
 
  private:
   void thread();
   void draw();
 
   sc_core::sc_event& start_;
-  Run* run_ = nullptr;
+  BenchRun* run_ = nullptr;
 };
 
 }  // namespace wrinkle

@@ -19,7 +19,7 @@ class FragmentMonitor : public sc_core::sc_module {
     set_stack_size(1 << 20);
   }
 
-  void start(Run& run) { run_ = &run; }
+  void start(BenchRun& run) { run_ = &run; }
 
  private:
   void thread() {
@@ -45,7 +45,7 @@ class FragmentMonitor : public sc_core::sc_module {
   }
 
   sc_core::sc_event& start_;
-  Run* run_ = nullptr;
+  BenchRun* run_ = nullptr;
 };
 
 }  // namespace wrinkle

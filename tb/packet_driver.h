@@ -17,7 +17,7 @@ class PacketDriver : public sc_core::sc_module {
     SC_THREAD(thread);
   }
 
-  void start(const Run& run) { run_ = &run; }
+  void start(const BenchRun& run) { run_ = &run; }
 
  private:
   static constexpr std::size_t kBlock = 4096;
@@ -35,7 +35,7 @@ class PacketDriver : public sc_core::sc_module {
   }
 
   sc_core::sc_event& start_;
-  const Run* run_ = nullptr;
+  const BenchRun* run_ = nullptr;
 };
 
 }  // namespace wrinkle

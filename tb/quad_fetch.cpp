@@ -11,10 +11,10 @@ QuadFetch::QuadFetch(const sc_core::sc_module_name& name, const TexelStore& dire
   socket.register_invalidate_direct_mem_ptr(this, &QuadFetch::invalidate);
 }
 
-void QuadFetch::start(const Run& run) {
+void QuadFetch::start(const BenchRun& run) {
   head_ = tail_ = last_due_ = 0;
   latency_ = LatencySource(run.options->stalls, run.options->latency, run.options->seed * 8 + 5);
-  trilinear_ = run.config->trilinear();
+  trilinear_ = Shape(*run.config).trilinear != 0;
   texel_words_ = directory_.texel_words();
   response_words_ = 2 * kQuad * texel_words_;
   texels_.assign(kWaiting * response_words_, 0);

@@ -24,7 +24,7 @@ class QuadFetch final : public sc_core::sc_module, virtual public sc_core::sc_in
   QuadFetch(const sc_core::sc_module_name& name, const TexelStore& directory);
 
   // Begins a run, after the memory is loaded.
-  void start(const Run& run);
+  void start(const BenchRun& run);
 
   // Takes a request of the clock `now`. False for a texel that is in no texture; it reads as 0.
   bool request(std::uint64_t a, std::uint64_t b, std::uint64_t now) {

@@ -37,11 +37,11 @@ Vec3 random_unit_vector(Random& random) {
   return v;
 }
 
-Texture random_texture(const Config& config, Random& random) {
+Texture random_texture(const Shape& config, Random& random) {
   Texture texture;
   texture.log2_width = random.between(0, 7);
   texture.log2_height = random.between(0, 7);
-  texture.components = config.texel_components();
+  texture.components = config.texels;
   texture.component_bits = config.texel_bits;
   const int bits = texture.components * texture.component_bits;
   const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
@@ -71,7 +71,7 @@ DrawState random_state(const Config& config, const Frame& frame, Random& random)
   state.material.specular = random_colour(random);
   const int k = random.between(-1, config.specular_squarings);
   state.material.exponent = k < 0 ? 0 : 1 << k;
-  if (!config.has_light_planes()) {
+  if (Shape(config).has_light_planes == 0) {
     state.L = random_unit_vector(random);
     state.H = random_unit_vector(random);
   }
@@ -124,8 +124,8 @@ std::int32_t snap(const Config& config, double pixels) {
 }
 
 // Texture coordinates that fit the format: within its range, and moved by whole repeats where the texture repeats.
-Vec2 random_uv(const Config& config, double scale, Vec2 offset, Random& random) {
-  const auto margin = static_cast<double>(interpolation_margin(config, config.uv_width()) + 2);
+Vec2 random_uv(const Shape& config, double scale, Vec2 offset, Random& random) {
+  const auto margin = static_cast<double>(interpolation_margin(config, config.uv_width) + 2);
   const double bound = scale * (std::ldexp(1.0, config.uv_integer_bits - 1) - std::ldexp(margin, -config.uv_bits));
   return Vec2{bound * (2 * random.real() - 1), bound * (2 * random.real() - 1)} + offset;
 }
@@ -174,7 +174,7 @@ Frame random_frame(const Config& config, const RandomFrame& wish) {
   frame.name = "random " + std::to_string(wish.seed);
   frame.width = wish.width != 0 ? wish.width : config.screen_size();
   frame.height = wish.height != 0 ? wish.height : config.screen_size();
-  if (config.has_texture()) {
+  if (Shape(config).textured != 0) {
     for (int i = 0; i < 4; ++i) frame.textures.push_back(random_texture(config, random));
   }
   std::uint32_t id = 0;

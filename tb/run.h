@@ -36,7 +36,7 @@ struct FirstDifference {
   FragmentValues rtl_values;  // when tapped
 };
 
-struct Run {
+struct BenchRun {
   // in
   const Config* config = nullptr;
   std::span<const std::uint64_t> words;

@@ -15,14 +15,14 @@ class GoldenSource : public sc_core::sc_module {
   sc_core::sc_port<BlockWriter<GoldenBlock>> fragments;
 
   GoldenSource(const sc_core::sc_module_name& name, sc_core::sc_event& start);
-  void start(Run& run) { run_ = &run; }
+  void start(BenchRun& run) { run_ = &run; }
 
  private:
   void thread();
   void draw();
 
   sc_core::sc_event& start_;
-  Run* run_ = nullptr;
+  BenchRun* run_ = nullptr;
 };
 
 class Scoreboard : public sc_core::sc_module {
@@ -31,7 +31,7 @@ class Scoreboard : public sc_core::sc_module {
   sc_core::sc_port<BlockReader<GoldenBlock>> golden;
 
   Scoreboard(const sc_core::sc_module_name& name, sc_core::sc_event& start);
-  void start(Run& run) { run_ = &run; }
+  void start(BenchRun& run) { run_ = &run; }
 
  private:
   void thread();
@@ -42,7 +42,7 @@ class Scoreboard : public sc_core::sc_module {
   std::uint64_t golden_left();
 
   sc_core::sc_event& start_;
-  Run* run_ = nullptr;
+  BenchRun* run_ = nullptr;
   GoldenBlock expected_;
   std::size_t next_ = 0;  // of expected_
   std::uint64_t compared_ = 0;

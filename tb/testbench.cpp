@@ -30,7 +30,7 @@ class Testbench : public sc_core::sc_module {
     scoreboard_.golden(expected_);
   }
 
-  void simulate(Run& run) {
+  void simulate(BenchRun& run) {
     memory_.load(*run.textures, run.options->dmi);
     words_.open();
     fragments_.open();
@@ -72,6 +72,6 @@ Testbench& testbench() {
 
 }  // namespace
 
-void simulate(Run& run) { testbench().simulate(run); }
+void simulate(BenchRun& run) { testbench().simulate(run); }
 
 }  // namespace wrinkle

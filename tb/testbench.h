@@ -6,6 +6,6 @@
 namespace wrinkle {
 
 // Runs until the core is idle, hangs, or is to stop. Results are left in `run`.
-void simulate(Run& run);
+void simulate(BenchRun& run);
 
 }  // namespace wrinkle

@@ -155,35 +155,4 @@ IllegalParameter check(const Config& config) {
                                      " is not legal: " + with_values(config, rule.message)};
 }
 
-bool Config::has_blinn() const { return Shape(*this).frame_unbounded != 0; }
-bool Config::has_texture_normal() const { return Shape(*this).surface_is_z != 0; }
-bool Config::has_bump() const { return Shape(*this).bump_components != 0; }
-bool Config::has_normal_planes() const { return Shape(*this).frame_vectors == 1; }
-bool Config::has_normal() const { return Shape(*this).normal_width != 0; }
-bool Config::has_cross_planes() const { return Shape(*this).frame_vectors == 3 && Shape(*this).frame_held == 0; }
-int Config::wide_width() const { return wide_bits + 2; }
-int Config::normal_vector_bits() const { return Shape(*this).normal_bits; }
-int Config::normal_vector_width() const { return Shape(*this).normal_width; }
-int Config::normal_unit_input_bits() const { return Shape(*this).normal_input_bits; }
-int Config::mantissa_bits(int input_bits) const { return input_bits < unit_bits ? input_bits + 1 : unit_bits; }
-bool Config::has_light_planes() const { return Shape(*this).has_light_planes != 0; }
-bool Config::has_specular() const { return Shape(*this).glossy != 0; }
-bool Config::has_view_vector() const { return Shape(*this).has_view_vector != 0; }
-bool Config::has_texture() const { return Shape(*this).textured != 0; }
-bool Config::trilinear() const { return Shape(*this).trilinear != 0; }
-bool Config::normalizes_after() const { return Shape(*this).normalizes_after != 0; }
-int Config::third_normalizer() const { return Shape(*this).third_normalizer; }
-int Config::normalized_width() const { return Shape(*this).normalized_width; }
-int Config::scale_bits() const { return Shape(*this).scale_bits; }
-int Config::channel_count() const { return Shape(*this).count; }
-int Config::vector_width() const { return Shape(*this).vector_width; }
-int Config::uv_width() const { return Shape(*this).uv_width; }
-int Config::lod_fraction_bits() const { return Shape(*this).lod_fraction_bits; }
-int Config::weight_fraction_bits() const { return Shape(*this).weight_fraction_bits; }
-int Config::filter_fraction_bits() const { return Shape(*this).filter_fraction_bits; }
-int Config::coordinate_shift() const { return Shape(*this).coordinate_shift; }
-int Config::texel_components() const { return Shape(*this).texels; }
-int Config::draw_words() const { return Shape(*this).draw_words; }
-int Config::edge_bits() const { return Shape(*this).edge_bits; }
-
 }  // namespace wrinkle

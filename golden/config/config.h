@@ -34,16 +34,6 @@ struct Config {
 
   bool is(Lighting value) const { return lighting == static_cast<int>(value); }
   int screen_size() const { return 1 << screen_bits; }
-
-  // The same as members of Shape.
-  bool has_blinn() const, has_texture_normal() const, has_bump() const, has_normal_planes() const, has_normal() const;
-  bool has_cross_planes() const, has_light_planes() const, has_specular() const, has_view_vector() const;
-  bool has_texture() const, trilinear() const, normalizes_after() const;
-  int third_normalizer() const, normalized_width() const, scale_bits() const, channel_count() const;
-  int vector_width() const, wide_width() const, normal_vector_bits() const, normal_vector_width() const;
-  int normal_unit_input_bits() const, uv_width() const, lod_fraction_bits() const, weight_fraction_bits() const;
-  int filter_fraction_bits() const, coordinate_shift() const, texel_components() const;
-  int draw_words() const, edge_bits() const, mantissa_bits(int input_bits) const;
 };
 
 // The numbers of properties.def, as the datapath of a configuration says them.

@@ -86,9 +86,12 @@ std::string value_rows() {
 #define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present, kind)            \
   text += row({#stage, code(#name), plain(#elements), code(plain(#width)), code(plain(#fraction_bits)), \
                is_signed ? "yes" : "no", std::string_view(#present) == "true" ? "always" : code(plain(#present))});
-#define WRINKLE_FRAME(stage, name)                                                                       \
-  text += row({#stage, code(#name), "3 * frame_vectors", code("frame_width"), code("frame_bits"), "yes", \
-               code("frame_vectors != 0")});
+#define WRINKLE_FRAME(stage, name, reader)                                                                       \
+  for (const char k : {'0', '1', '2'}) {                                                                         \
+    const std::string vector = std::string("frame_") + k;                                                        \
+    text += row({#stage, code(std::string(#name " ") + k), "3", code(vector + "_width"), code(vector + "_bits"), \
+                 "yes", code(vector + "_width != 0")});                                                          \
+  }
 #define WRINKLE_BUMP(stage, name)                                                                        \
   text += row({#stage, code(#name), "bump_components", code("bump_width"), code("bump_fraction"), "yes", \
                code("bump_components != 0")});
@@ -96,19 +99,29 @@ std::string value_rows() {
   return text;
 }
 
+std::string stage_rows() {
+  std::string text = row({"stage", "latency"}) + "| --- | --- |\n";
+#define WRINKLE_STAGE(name, title, moves, latency) text += row({#name, code(plain(#latency))});
+#include "golden/stages.def"
+#undef WRINKLE_STAGE
+  return text;
+}
+
 }  // namespace
 
 std::string parameter_page() {
   return "# Parameters and what follows from them\n\n"
-         "This page is made by `./wrinkle generate` from `golden/config/*.def`, `golden/datapath` and "
-         "`golden/values.def`; "
-         "change those.\n\n"
+         "This page is made by `./wrinkle generate` from `golden/config/*.def`, `golden/datapath`, "
+         "`golden/stages.def` and `golden/values.def`; change those.\n\n"
          "## Parameters\n\nA key of a configuration file, and in capitals a parameter of `wrinkle_core`.\n\n" +
          parameter_rows() + "\n## Rules\n\nWhat is illegal besides a value out of its range, in both languages.\n\n" +
          rule_rows() + "\n## Datapaths\n\nWhat each datapath says of itself in `golden/datapath/NAME.h`.\n\n" +
          property_rows() +
          "\n## Derived values\n\nMembers of `Shape`, and in capitals local parameters of `wrinkle_core`.\n\n" +
          derived_rows() +
+         "\n## Stages\n\nThe clocks that each takes of the way of a packet's first fragment, from the last word of the "
+         "packet to the port, where nothing stalls and the memory answers in the clock after a request.\n\n" +
+         stage_rows() +
          "\n## Values\n\nWhat crosses a stage. The vectors of `frame` and the components of `bump` have the names that "
          "the "
          "datapath gives them.\n\n" +

@@ -1,6 +1,7 @@
 // The values of golden/values.def for a configuration.
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,17 @@ namespace wrinkle {
 // Elements of the largest value: the components of a bump map.
 inline constexpr int kMaxElements = 9;
 
+// Vectors in the place of N, at most: as many as properties.def has formats of.
+inline constexpr std::size_t kMaxFrameVectors = 3;
+
+struct FrameVector {
+  std::string_view name;
+  int width, fraction_bits;
+  bool is_held;
+};
+// Those of a datapath; the first `frame_vectors` of them are there.
+std::array<FrameVector, kMaxFrameVectors> frame_vectors(const Shape& config);
+
 // Where a value comes from: a plane, a field held over a triangle, components of a texel, or a computation.
 enum class ValueKind { plane, held, texel, wire };
 
@@ -20,7 +32,7 @@ struct Value {
   bool is_signed;
   ValueKind kind;
   std::string_view wire;  // of wrinkle_core, on which it lies from `lowest_bit` on, element 0 first
-  int lowest_bit;
+  int lowest_bit, first_element;
 };
 // Those that the configuration has, in pipeline order.
 std::vector<Value> values(const Shape& config);

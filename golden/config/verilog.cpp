@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "golden/datapath/datapaths.h"
+#include "golden/stages.h"
 
 namespace wrinkle {
 namespace {
@@ -127,49 +128,76 @@ std::string rule_book() {
   return text + "  endgenerate\n";
 }
 
-// The fields of `interpolate` in the order of the planes part of a packet, from its first bit.
+// A field of `interpolate`: Verilog expressions, and the stage that reads it first.
 struct Field {
-  std::string_view elements, width, held;
-  int reader;  // the stage that reads it first: 1 perspective, 2 texture, 3 perturb, 4 normalize, 5 light, 6 output
+  std::string name, present, elements, width, held;
+  Stage reader;
 };
-constexpr Field kFields[] = {
-    {"FRAME_0_ELEMENTS", "FRAME_0_WIDTH", "FRAME_0_HELD", 3},
-    {"FRAME_1_ELEMENTS", "FRAME_1_WIDTH", "FRAME_1_HELD", 3},
-    {"FRAME_2_ELEMENTS", "FRAME_2_WIDTH", "FRAME_2_HELD", 3},
-    {"L_VECTOR_ELEMENTS", "LIGHT_WIDTH", "", 4},
-    {"H_VECTOR_ELEMENTS", "LIGHT_WIDTH", "", 4},
-    {"TEXTURED", "UV", "", 1},
-    {"TEXTURED", "UV", "", 1},
-    {"Q_ELEMENTS", "Q", "", 1},
-    {"LOD_PLANE_ELEMENTS", "LOD_PLANE", "", 2},
-    {"Z_ELEMENTS", "Z", "", 6},
-    {"LOD_HELD_ELEMENTS", "LOD_HELD", "1", 2},
-};
+
+// An expression of values.def in the names of the Verilog.
+std::string of_shape(std::string_view expression) {
+  std::string text(expression);
+  for (std::size_t at = 0; (at = text.find("c.", at)) != text.npos;) text.erase(at, 2);
+  return verilog_text(text);
+}
+
+// In the order of the planes part of a packet, from its first bit: the planes of values.def, then the level of detail
+// where it is held, which has no sign there and is below 16.
+std::vector<Field> fields() {
+  std::vector<Field> list, last;
+#define WRINKLE_FRAME(stage, name, reader)                                                                     \
+  for (const char k : {'0', '1', '2'}) {                                                                       \
+    const std::string vector = verilog_text(#name "_") + k;                                                    \
+    list.push_back({vector, vector + "_WIDTH != 0", "3", vector + "_WIDTH", vector + "_HELD", Stage::reader}); \
+  }
+#define WRINKLE_PLANE(name, elements, width, fraction_bits, is_signed, present, reader) \
+  list.push_back({verilog_text(#name), of_shape(#present), #elements, of_shape(#width), "0", Stage::reader});
+#define WRINKLE_LEVEL(name, width, fraction_bits, present, reader)                                                \
+  list.push_back(                                                                                                 \
+      {verilog_text(#name), of_shape(#present) + " && DIVIDES != 0", "1", of_shape(#width), "0", Stage::reader}); \
+  last.push_back({verilog_text(#name "_held"), of_shape(#present) + " && DIVIDES == 0", "1",                      \
+                  of_shape(#width) + " - 2", "1", Stage::reader});
+#include "golden/values.def"
+  list.insert(list.end(), last.begin(), last.end());
+  return list;
+}
 
 // A packed vector of 32 bits a field; the last field comes first, as in every concatenation.
 template <class Text>
-std::string field_vector(std::string_view name, const Text& text_of) {
+std::string field_vector(std::string_view name, const std::vector<Field>& list, const Text& text_of) {
   std::string text = "  localparam [32*FIELDS-1:0] " + std::string(name) + " = {";
-  for (std::size_t i = std::size(kFields); i-- > 0;)
-    text += "\n    32'd" + std::string(text_of(kFields[i])) + (i == 0 ? "};\n" : ",");
+  for (std::size_t i = list.size(); i-- > 0;)
+    text += "\n    32'd" + std::string(text_of(list[i])) + (i == 0 ? "};\n" : ",");
   return text;
 }
 
 std::string field_vectors() {
-  const auto value = [](std::string_view name) { return "0 | " + std::string(name) + "[31:0]"; };
-  return "  // The list of wrinkle_interpolate: of each field the number of elements, the bits of one, whether it is "
-         "held over\n"
-         "  // a triangle, and the stage that reads it first: 1 perspective, 2 texture, 3 perturb, 4 normalize, 6 "
-         "output.\n"
-         "  localparam FIELDS = " +
-         std::to_string(std::size(kFields)) + ";\n" +
-         field_vector("FIELD_ELEMENTS", [&](const Field& field) { return value(field.elements); }) +
-         field_vector("FIELD_WIDTHS", [&](const Field& field) { return value(field.width); }) +
-         field_vector("FIELD_HELD",
-                      [&](const Field& field) {
-                        return field.held.empty() ? "0" : field.held == "1" ? "1" : value(field.held);
-                      }) +
-         field_vector("FIELD_READERS", [&](const Field& field) { return std::to_string(field.reader); });
+  const std::vector<Field> list = fields();
+  std::string text =
+      "  // The list of wrinkle_interpolate: of each field the number of elements, the bits of one, whether it is held "
+      "over\n  // a triangle, and how many stages further on it is first read.\n  localparam FIELDS = " +
+      std::to_string(list.size()) + ";\n";
+  std::string bits;
+  for (const Field& f : list) {
+    const std::string elements = "FIELD_" + f.name + "_ELEMENTS", width = "FIELD_" + f.name + "_WIDTH";
+    text += folded("  localparam " + elements + " = " + f.present + " ? " + f.elements + " : 0;") + "\n";
+    text += folded("  localparam " + width + " = " + f.width + ";") + "\n";
+    const std::string of_plane = "3 * (" + width + " + GUARD_BITS)";
+    bits += (bits.empty() ? "" : " + ") + elements + " * " +
+            (f.held == "0"   ? of_plane
+             : f.held == "1" ? width
+                             : "(" + f.held + " != 0 ? " + width + " : " + of_plane + ")");
+  }
+  const auto value = [](const std::string& name) { return "0 | " + name + "[31:0]"; };
+  text += local_parameter("plane_bits", bits, "bits of the planes part of a packet");
+  text += local_parameter("plane_words", "(PLANE_BITS + 63) / 64", "its words");
+  text += field_vector("FIELD_ELEMENTS", list, [&](const Field& f) { return value("FIELD_" + f.name + "_ELEMENTS"); });
+  text += field_vector("FIELD_WIDTHS", list, [&](const Field& f) { return value("FIELD_" + f.name + "_WIDTH"); });
+  text += field_vector("FIELD_HELD", list, [&](const Field& f) { return f.held.size() == 1 ? f.held : value(f.held); });
+  text += field_vector("FIELD_READERS", list, [&](const Field& f) {
+    return std::to_string(static_cast<int>(f.reader) - static_cast<int>(Stage::interpolate));
+  });
+  return text;
 }
 
 // The one stage that a datapath has of its own; all have the same ports.

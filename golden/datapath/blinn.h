@@ -13,10 +13,14 @@ struct Blinn : DatapathDefaults {
 
   static constexpr bool kTexelsFromHeights = true;
 
-  WRINKLE_SAYS(frame_vectors, 3)
-  WRINKLE_SAYS(frame_width, wide_bits + 2)
-  WRINKLE_SAYS(frame_bits, wide_bits)
-  WRINKLE_SAYS(frame_held, cross_products != 0 ? 2 : 0)
+  WRINKLE_SAYS(frame_0_width, wide_bits + 2)
+  WRINKLE_SAYS(frame_0_bits, wide_bits)
+  WRINKLE_SAYS(frame_1_width, wide_bits + 2)
+  WRINKLE_SAYS(frame_1_bits, wide_bits)
+  WRINKLE_SAYS(frame_1_held, cross_products != 0 ? 1 : 0)
+  WRINKLE_SAYS(frame_2_width, wide_bits + 2)
+  WRINKLE_SAYS(frame_2_bits, wide_bits)
+  WRINKLE_SAYS(frame_2_held, cross_products != 0 ? 1 : 0)
   WRINKLE_SAYS(frame_prepared, 1)
   WRINKLE_SAYS(frame_unbounded, 1)
   WRINKLE_SAYS(bump_components, 2)
@@ -25,6 +29,7 @@ struct Blinn : DatapathDefaults {
   WRINKLE_SAYS(bump_offset, 1 << texel_bits)
   WRINKLE_SAYS(bump_full_scale, 1 << texel_bits)
   WRINKLE_SAYS(bump_saturates, 1)
+  WRINKLE_SAYS(perturb_latency, 2)
   WRINKLE_SAYS(normal_width, wide_bits + 3)
   WRINKLE_SAYS(normal_bits, wide_bits)
   WRINKLE_SAYS(normal_input_bits, wide_bits + 1)

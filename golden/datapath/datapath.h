@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "golden/config/config.h"
+#include "golden/config/values.h"
 #include "golden/texel/grid.h"
 #include "golden/texel/texture.h"
 #include "golden/vector.h"
@@ -46,8 +46,6 @@ struct TexelInputs {
   const Grid<double>* heights;
   int texel_bits;
 };
-// Vectors in the place of N, at most; a test holds every datapath against it.
-inline constexpr std::size_t kMaxFrameVectors = 3;
 using FrameVectors = std::array<Vec3, kMaxFrameVectors>;
 // The components of a texel of the bump map, filtered.
 using BumpComponents = std::array<double, kMaxBumpComponents>;

@@ -14,9 +14,8 @@ struct NormalMapped : DatapathDefaults {
   static constexpr DrawSpace kSpace = DrawSpace::kOfTexture;
   static constexpr bool kTurnsLight = true;
 
-  WRINKLE_SAYS(frame_vectors, 1)
-  WRINKLE_SAYS(frame_width, vector_bits + 2)
-  WRINKLE_SAYS(frame_bits, vector_bits)
+  WRINKLE_SAYS(frame_0_width, vector_bits + 2)
+  WRINKLE_SAYS(frame_0_bits, vector_bits)
   WRINKLE_SAYS(bump_components, 3)
   WRINKLE_SAYS(bump_width, vector_bits + 2)
   WRINKLE_SAYS(bump_fraction, vector_bits)

@@ -16,9 +16,8 @@ struct Offset : DatapathDefaults {
   static constexpr DrawSpace kSpace = DrawSpace::kTangent;
   static constexpr bool kTurnsLight = true;
 
-  WRINKLE_SAYS(frame_vectors, 1)
-  WRINKLE_SAYS(frame_width, vector_bits + 2)
-  WRINKLE_SAYS(frame_bits, vector_bits)
+  WRINKLE_SAYS(frame_0_width, vector_bits + 2)
+  WRINKLE_SAYS(frame_0_bits, vector_bits)
   WRINKLE_SAYS(frame_prepared, 1)
   WRINKLE_SAYS(bump_components, 2)
   WRINKLE_SAYS(bump_width, vector_bits + 1)
@@ -26,6 +25,7 @@ struct Offset : DatapathDefaults {
   WRINKLE_SAYS(bump_offset, 1 << texel_bits)
   WRINKLE_SAYS(bump_full_scale, 1 << texel_bits)
   WRINKLE_SAYS(bump_saturates, 1)
+  WRINKLE_SAYS(perturb_latency, 1)
   WRINKLE_SAYS(normal_width, vector_bits + 2)
   WRINKLE_SAYS(normal_bits, vector_bits)
   WRINKLE_SAYS(normal_input_bits, vector_bits)

@@ -9,9 +9,8 @@ namespace wrinkle {
 struct Phong : DatapathDefaults {
   using DatapathDefaults::DatapathDefaults;
 
-  WRINKLE_SAYS(frame_vectors, 1)
-  WRINKLE_SAYS(frame_width, vector_bits + 2)
-  WRINKLE_SAYS(frame_bits, vector_bits)
+  WRINKLE_SAYS(frame_0_width, vector_bits + 2)
+  WRINKLE_SAYS(frame_0_bits, vector_bits)
   WRINKLE_SAYS(normal_width, vector_bits + 2)
   WRINKLE_SAYS(normal_bits, vector_bits)
   WRINKLE_SAYS(normal_input_bits, vector_bits)

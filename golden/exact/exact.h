@@ -17,7 +17,7 @@ struct ExactFragment {
   std::int32_t x = 0, y = 0;
   std::uint32_t triangle = 0;  // ScreenTriangle::id
   std::uint32_t draw = 0;
-#define WRINKLE_EXACT(type, name, initial) type name = initial;
+#define WRINKLE_EXACT(type, name, initial, wire) type name = initial;
 #include "golden/exact/fragment.def"
 #undef WRINKLE_EXACT
 };

@@ -72,14 +72,14 @@ struct Fragments {
   std::uint32_t draw = 0;
   std::array<std::int32_t, kColumnLength> x, y;
   std::array<std::uint32_t, kColumnLength> triangle;  // ScreenTriangle::id
-#define WRINKLE_EXACT(type, name, initial) Column<type> name;
+#define WRINKLE_EXACT(type, name, initial, wire) Column<type> name;
 #include "golden/exact/fragment.def"
 #undef WRINKLE_EXACT
 
   // Every value of the fragments [first, end) as fragment.def has it.
   void clear(std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-#define WRINKLE_EXACT(type, name, initial) name.set(i, initial);
+#define WRINKLE_EXACT(type, name, initial, wire) name.set(i, initial);
 #include "golden/exact/fragment.def"
 #undef WRINKLE_EXACT
     }
@@ -90,7 +90,7 @@ struct Fragments {
     f.x = x[i], f.y = y[i];
     f.triangle = triangle[i];
     f.draw = draw;
-#define WRINKLE_EXACT(type, name, initial) f.name = name[i];
+#define WRINKLE_EXACT(type, name, initial, wire) f.name = name[i];
 #include "golden/exact/fragment.def"
 #undef WRINKLE_EXACT
     return f;

@@ -31,20 +31,16 @@ void fill(const Context& context, Tables<Int>& tables) {
   }
 }
 
-// The planes of a packet in their order, which is that of the values of `interpolate`.
+// The planes of a packet and the values of `interpolate` are in one order.
 std::vector<Plane> planes_of(const Shape& config) {
-  std::vector<Plane> planes;
   const std::vector<Value> list = values(config);
-  const std::vector<ComponentFormat> formats = component_formats(config);
-  for (std::size_t v = 0; v < list.size(); ++v) {
-    if (list[v].stage != "interpolate") continue;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(list[v].elements) && planes.size() < formats.size(); ++k) {
-      if (list[v].name == "lod" && config.lod_held != 0) break;
-      const ComponentFormat& format = formats[planes.size()];
-      planes.push_back(
-          {format.component, v, k, format.width, format.is_constant ? 0 : config.guard_bits, format.is_signed});
-    }
-  }
+  std::size_t value = 0;
+  while (list[value].stage != "interpolate") ++value;
+  std::vector<Plane> planes;
+  for_each_plane(config, [&](const PlaneFormat& format) {
+    while (list[value].name != format.name) ++value;
+    planes.push_back({value, format.element, format.width, format.is_held ? 0 : config.guard_bits, format.is_signed});
+  });
   return planes;
 }
 

@@ -40,9 +40,8 @@ struct Constants {
   const Int *reciprocal_base, *reciprocal_slope, *level_offset, *level_stride;
 };
 
-// One interpolated component, and which element of which value it is.
+// One plane, and which element of which value it is.
 struct Plane {
-  Component component;
   std::size_t value, element;
   int width;  // without guard bits
   int guard_bits;
@@ -52,7 +51,7 @@ struct Plane {
 struct Context {
   Shape config = Config();
   DrawWords draw;
-  std::vector<Plane> planes;
+  std::vector<Plane> planes;  // in packet order
   RsqrtGeometry rsqrt;
   ReciprocalGeometry reciprocal;
   Tables<std::int32_t> narrow;

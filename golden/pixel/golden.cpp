@@ -1,4 +1,5 @@
 // The golden machine: packets to spans, spans to batches, batches through the stages.
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -18,11 +19,11 @@ class BatchBuilder {
   BatchBuilder(Lanes lanes, const Context& context, const Hand& hand) : lanes_(lanes), context_(context), hand_(hand) {}
 
   void add(const TriangleWords& triangle, std::uint32_t packet) {
-    RowEngine<Int> rows(context_, triangle);
+    rows_.start(triangle);
     bool drawn = false;
-    while (rows.next_row()) {
+    while (rows_.next_row()) {
       drawn = true;
-      for (int done = 0; done < rows.count();) done += add_span(rows, triangle, packet, done);
+      for (int done = 0; done < rows_.count();) done += add_span(triangle, packet, done);
     }
     if (drawn) spans_->span[static_cast<std::size_t>(spans_->count - 1)].last = true;
   }
@@ -39,24 +40,26 @@ class BatchBuilder {
 
  private:
   // As many pixels of the row, from its pixel `done` on, as fit into the batch.
-  int add_span(const RowEngine<Int>& rows, const TriangleWords& triangle, std::uint32_t packet, int done) {
+  int add_span(const TriangleWords& triangle, std::uint32_t packet, int done) {
     if (batch_->count == kBatch) flush();
-    Span<Int>& span = spans_->span[static_cast<std::size_t>(spans_->count++)];
+    const std::size_t planes = static_cast<std::size_t>(spans_->count) * spans_->stride;
+    Span& span = spans_->span[static_cast<std::size_t>(spans_->count++)];
     span.first = batch_->count;
-    span.count = std::min(rows.count() - done, kBatch - batch_->count);
-    span.w = rows.w() + done;
-    span.y = rows.y();
+    span.count = std::min(rows_.count() - done, kBatch - batch_->count);
+    span.w = rows_.w() + done;
+    span.y = rows_.y();
     span.mirror = triangle.mirror;
     span.last = false;
     span.packet = packet;
     span.lod = triangle.lod;
-    span.value = rows.value();
-    span.dw = rows.dw();
+    Int *value = &spans_->value[planes], *dw = &spans_->dw[planes];
+    std::copy_n(rows_.value().data(), spans_->stride, value);
+    std::copy_n(rows_.dw().data(), spans_->stride, dw);
     using Unsigned = std::make_unsigned_t<Int>;
     if (done > 0)
-      for (std::size_t i = 0; i < kPlanes; ++i)
-        span.value[i] = static_cast<Int>(static_cast<Unsigned>(span.value[i]) +
-                                         static_cast<Unsigned>(done) * static_cast<Unsigned>(span.dw[i]));
+      for (std::size_t i = 0; i < spans_->stride; ++i)
+        value[i] = static_cast<Int>(static_cast<Unsigned>(value[i]) +
+                                    static_cast<Unsigned>(done) * static_cast<Unsigned>(dw[i]));
     batch_->count += span.count;
     return span.count;
   }
@@ -65,7 +68,8 @@ class BatchBuilder {
   const Context& context_;
   const Hand& hand_;
   std::unique_ptr<Batch<Int>> batch_ = std::make_unique<Batch<Int>>(context_.config);
-  std::unique_ptr<Spans<Int>> spans_ = std::make_unique<Spans<Int>>();
+  std::unique_ptr<Spans<Int>> spans_ = std::make_unique<Spans<Int>>(context_.planes.size());
+  RowEngine<Int> rows_{context_};
 };
 
 }  // namespace
@@ -90,6 +94,7 @@ struct Golden::State {
   template <class Int>
   void draw(std::span<const std::uint64_t> words, const std::function<void(const Batch<Int>&)>& hand) {
     BatchBuilder<Int> builder(lanes, context, hand);
+    TriangleWords triangle(context.config);
     const auto triangle_words = static_cast<std::size_t>(triangle_word_count(context.config));
     const auto draw_words = static_cast<std::size_t>(context.config.draw_words);
     std::uint32_t packet = 0;
@@ -98,7 +103,8 @@ struct Golden::State {
       const std::size_t size = is_triangle ? triangle_words : draw_words;
       if (words.size() < size) throw std::invalid_argument("the last packet is cut short");
       if (is_triangle) {
-        builder.add(decode_triangle(context.config, words.first(size)), packet++);
+        decode(context.config, words.first(size), triangle);
+        builder.add(triangle, packet++);
       } else {
         builder.flush();
         const DrawWords state = decode_draw(context.config, words.first(size));

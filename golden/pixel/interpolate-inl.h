@@ -15,10 +15,12 @@ HWY_BEFORE_NAMESPACE();
 namespace wrinkle {
 namespace HWY_NAMESPACE {
 
-// One component over all spans. A vector may run over the end of its span: the next one writes there later.
+// One plane over all spans. A vector may run over the end of its span: the next one writes there later.
 template <bool kIsSigned, class L>
-void interpolate_plane(const L& l, const Plane& plane, const Spans<typename L::Int>& spans, typename L::Int* out) {
-  const auto index = static_cast<std::size_t>(plane.component);
+void interpolate_plane(const L& l, const Plane& plane, std::size_t index, const Spans<typename L::Int>& spans,
+                       typename L::Int* out) {
+  const typename L::Int *value = &spans.value[index], *step = &spans.dw[index];
+  const std::size_t stride = spans.stride;
   const int shift = L::kBits - plane.width;
   const auto store = [&](typename L::V sum, int i) HWY_ATTR {
     l.store(kIsSigned ? l.sar_modular(sum, shift) : l.shr_modular(sum, shift), out + i);
@@ -26,9 +28,10 @@ void interpolate_plane(const L& l, const Plane& plane, const Spans<typename L::I
   const int log2_size = std::countr_zero(static_cast<unsigned>(l.size()));
   const int span_count = spans.count;
   for (int s = 0; s < span_count; ++s) {
-    const auto& span = spans.span[static_cast<std::size_t>(s)];
-    const auto dw = l.set(span.dw[index]);
-    auto sum = l.add_modular(l.set(span.value[index]), l.mul_modular(l.iota(), dw));
+    const Span& span = spans.span[static_cast<std::size_t>(s)];
+    const std::size_t at = static_cast<std::size_t>(s) * stride;
+    const auto dw = l.set(step[at]);
+    auto sum = l.add_modular(l.set(value[at]), l.mul_modular(l.iota(), dw));
     int i = span.first;
     const int end = i + span.count;
     store(sum, i);
@@ -41,9 +44,11 @@ void interpolate_plane(const L& l, const Plane& plane, const Spans<typename L::I
 
 template <class L>
 void interpolate(const L& l, const Context& c, const Spans<typename L::Int>& spans, Batch<typename L::Int>& batch) {
-  for (const Plane& plane : c.planes) {
+  for (std::size_t p = 0; p < c.planes.size(); ++p) {
+    const Plane& plane = c.planes[p];
     auto* out = batch.value[plane.value][plane.element].data();
-    plane.is_signed ? interpolate_plane<true>(l, plane, spans, out) : interpolate_plane<false>(l, plane, spans, out);
+    plane.is_signed ? interpolate_plane<true>(l, plane, p, spans, out)
+                    : interpolate_plane<false>(l, plane, p, spans, out);
   }
   if (c.config.lod_held == 0) return;
   auto* lod = batch.interpolate_lod[0].data();

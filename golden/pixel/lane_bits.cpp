@@ -5,18 +5,18 @@
 #include "golden/pixel/compact_geometry.h"
 #include "golden/pixel/reciprocal.h"
 #include "golden/pixel/rsqrt.h"
+#include "golden/triangle/plane_list.h"
 
 namespace wrinkle {
 namespace {
 
 // Widest operand of each stage; the derivations are those of docs/numerics.md.
 
+// Accumulators are modular: no bit is lost to a sign.
 int interpolate_bits(const Shape& c) {
-  int width = std::max(c.vector_width, c.frame_width);
-  if (c.textured) width = std::max(width, c.uv_width);
-  if (c.divides) width = std::max({width, c.q_bits, 6 + c.lod_fraction_bits});
-  if (c.depth != 0) width = std::max(width, c.depth_bits);
-  return width + c.guard_bits;  // accumulators are modular: no bit is lost to a sign
+  int width = 0;
+  for_each_plane(c, [&](const PlaneFormat& format) { width = std::max(width, format.width); });
+  return width + c.guard_bits;
 }
 
 int perspective_bits(const Shape& c) {

@@ -40,7 +40,7 @@ struct Batch {
   std::array<std::uint32_t, kBatch> packet;  // index of the triangle packet, counted over the stream
 #define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present, kind) \
   Columns<Int> stage##_##name;
-#define WRINKLE_FRAME(stage, name) Columns<Int> stage##_##name;
+#define WRINKLE_FRAME(stage, name, reader) Columns<Int> stage##_##name;
 #define WRINKLE_BUMP(stage, name) Columns<Int> stage##_##name;
 #include "golden/values.def"
   std::vector<Columns<Int>> value;  // of each value of values(config)

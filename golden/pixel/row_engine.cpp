@@ -1,25 +1,30 @@
 #include "golden/pixel/row_engine.h"
 
+#include <algorithm>
+#include <array>
 #include <type_traits>
 
 namespace wrinkle {
 
 template <class Int>
-RowEngine<Int>::RowEngine(const Context& context, const TriangleWords& triangle)
-    : start_(triangle.start),
-      end_(triangle.end0),
-      end1_(triangle.end1),
-      rows_(triangle.rows),
-      rows_end0_(triangle.rows_end0),
-      first_y_(triangle.y),
-      planes_(context.config.frame_vectors > 1 ? kPlanes : kPlanesWithoutCross) {
-  for (const Plane& plane : context.planes) {
-    const auto i = static_cast<std::size_t>(plane.component);
-    const int up = static_cast<int>(8 * sizeof(Int)) - plane.width - plane.guard_bits;
+RowEngine<Int>::RowEngine(const Context& context)
+    : planes_(context.planes), value_(padded_planes(planes_.size())), step_(value_.size()), dw_(value_.size()) {}
+
+template <class Int>
+void RowEngine<Int>::start(const TriangleWords& triangle) {
+  start_ = EdgeWalk(triangle.start);
+  end_ = EdgeWalk(triangle.end0);
+  end1_ = EdgeWalk(triangle.end1);
+  row_ = 0;
+  rows_ = triangle.rows;
+  rows_end0_ = triangle.rows_end0;
+  first_y_ = triangle.y;
+  for (std::size_t p = 0; p < planes_.size(); ++p) {
+    const int up = static_cast<int>(8 * sizeof(Int)) - planes_[p].width - planes_[p].guard_bits;
     const auto align = [up](std::int64_t x) { return static_cast<Int>(static_cast<std::uint64_t>(x) << up); };
-    value_[i] = align(triangle.planes[i].value);
-    step_[i] = align(triangle.planes[i].row);
-    dw_[i] = align(triangle.planes[i].dw);
+    value_[p] = align(triangle.planes[p].value);
+    step_[p] = align(triangle.planes[p].row);
+    dw_[p] = align(triangle.planes[p].dw);
   }
 }
 
@@ -27,9 +32,13 @@ template <class Int>
 void RowEngine<Int>::step_down() {
   using Unsigned = std::make_unsigned_t<Int>;
   const auto carried = static_cast<Unsigned>(start_.step() ? 1 : 0);
-  for (std::size_t i = 0; i < planes_; ++i) {
-    const auto step = static_cast<Unsigned>(step_[i]) + carried * static_cast<Unsigned>(dw_[i]);
-    value_[i] = static_cast<Int>(static_cast<Unsigned>(value_[i]) + step);
+  for (std::size_t first = 0; first < value_.size(); first += kPlaneBlock) {
+    Int *value = &value_[first], *step = &step_[first], *dw = &dw_[first];
+    std::array<Int, kPlaneBlock> sum;
+    for (std::size_t i = 0; i < kPlaneBlock; ++i)
+      sum[i] = static_cast<Int>(static_cast<Unsigned>(value[i]) + static_cast<Unsigned>(step[i]) +
+                                carried * static_cast<Unsigned>(dw[i]));
+    std::copy_n(sum.data(), kPlaneBlock, value);
   }
   end_.step();
 }

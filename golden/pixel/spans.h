@@ -3,22 +3,17 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "golden/pixel/pixel.h"
 
 namespace wrinkle {
 
-// Planes padded to a whole number of vectors; where there is no Pu x Pv the first of them are enough.
-inline constexpr std::size_t kPlanes = 24;
-inline constexpr std::size_t kPlanesWithoutCross = 16;
-static_assert(kPlanesWithoutCross >= static_cast<std::size_t>(Component::kAx));
-static_assert(kPlanes >= static_cast<std::size_t>(kComponents));
+// One number for every plane of a configuration, in packet order, is padded to blocks of so many: loops over a block
+// become vectors.
+inline constexpr std::size_t kPlaneBlock = 8;
+inline std::size_t padded_planes(std::size_t planes) { return (planes + kPlaneBlock - 1) / kPlaneBlock * kPlaneBlock; }
 
-// By Component. Accumulators are left-aligned in Int: the low (bits of Int - width - G) bits are 0.
-template <class Int>
-using Planes = std::array<Int, kPlanes>;
-
-template <class Int>
 struct Span {
   int first = 0, count = 0;  // fragments of the batch
   int w = 0, y = 0;          // walk coordinate of the first pixel
@@ -26,15 +21,20 @@ struct Span {
   bool last = false;  // its last pixel is the last of the packet
   std::uint32_t packet = 0;
   std::int32_t lod = 0;
-  alignas(64) Planes<Int> value;  // at the first pixel
-  alignas(64) Planes<Int> dw;
 };
 
 // The spans of one batch, in the order of its fragments.
 template <class Int>
 struct Spans {
+  // Without planes it is for the stages behind `interpolate` alone.
+  explicit Spans(std::size_t planes = 0) : stride(padded_planes(planes)), value(kBatch * stride), dw(kBatch * stride) {}
+
   int count = 0;
-  std::array<Span<Int>, kBatch> span;
+  std::array<Span, kBatch> span;
+  // Plane p of span s at its first pixel, and its step, are the numbers s * stride + p. They are left-aligned in Int:
+  // the low (bits of Int - width - G) bits are 0.
+  std::size_t stride;
+  std::vector<Int> value, dw;
 };
 
 }  // namespace wrinkle

@@ -16,7 +16,7 @@ Batch<Int>::Batch(const Shape& c) {
   };
 #define WRINKLE_VALUE(stage, name, elements, width, fraction_bits, is_signed, present, kind) \
   if (present) stage##_##name = take(elements);
-#define WRINKLE_FRAME(stage, name) stage##_##name = take(3 * c.frame_vectors);
+#define WRINKLE_FRAME(stage, name, reader) stage##_##name = take(3 * c.frame_vectors);
 #define WRINKLE_BUMP(stage, name) stage##_##name = take(c.bump_components);
 #include "golden/values.def"
   used = 0;

@@ -151,12 +151,12 @@ std::vector<std::array<Vec3, 3>> frame_corners(const Shape& config, const Corner
     frame[0] = vector_corners(config, corners, &ScreenVertex::N, config.normalizer_n);
     return frame;
   }
-  const auto first_held = frame.size() - static_cast<std::size_t>(config.frame_held);
+  const auto formats = frame_vectors(config);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     auto& v = frame[i];
     v = scaled_by_q(config, corners, {corners.v[0]->frame[i], corners.v[1]->frame[i], corners.v[2]->frame[i]},
                     config.normalizer_n);
-    if (i >= first_held) v.fill(1.0 / 3 * (v[0] + v[1] + v[2]));
+    if (formats[i].is_held) v.fill(1.0 / 3 * (v[0] + v[1] + v[2]));
   }
   if (config.frame_unbounded != 0) scale_to_block(config, frame);
   return frame;

@@ -58,18 +58,16 @@ void scan_fields(const Shape& config, Triangle& triangle, Visit& visit) {
 
 template <class Triangle, class Visit>
 void plane_fields(const Shape& config, Triangle& triangle, Visit& visit) {
-  for (const ComponentFormat& format : component_formats(config)) {
-    auto& plane = triangle.planes[static_cast<std::size_t>(format.component)];
+  std::size_t index = 0;
+  for_each_plane(config, [&](const PlaneFormat& format) {
+    auto& plane = triangle.planes[index++];
+    if (format.is_held) return visit(plane.value, format.width, true);
     const int bits = format.width + config.guard_bits;
-    if (format.is_constant) {
-      visit(plane.value, format.width, true);
-      continue;
-    }
     visit(plane.value, bits, true);
     visit(plane.row, bits, true);
     visit(plane.dw, bits, true);
-  }
-  if (config.textured && config.perspective == 0) visit(triangle.lod, 4 + config.lod_fraction_bits, false);
+  });
+  if (config.lod_held != 0) visit(triangle.lod, 4 + config.lod_fraction_bits, false);
   visit.next_word();
 }
 
@@ -139,50 +137,16 @@ void expect_opcode(std::span<const std::uint64_t> words, unsigned opcode) {
 
 }  // namespace
 
-std::vector<ComponentFormat> component_formats(const Shape& config) {
-  std::vector<ComponentFormat> formats;
-  const auto add = [&](Component component, int width, int fraction_bits, bool is_signed) {
-    formats.push_back({component, width, fraction_bits, is_signed});
-  };
-  const auto add_vector = [&](Component x, Component y, Component z) {
-    for (Component component : {x, y, z}) add(component, config.vector_width, config.vector_bits, true);
-  };
-  const auto add_wide_vector = [&](Component x, Component y, Component z, bool is_constant) {
-    for (Component component : {x, y, z})
-      formats.push_back({component, config.frame_width, config.frame_bits, true, is_constant});
-  };
-  if (config.frame_vectors == 1) add_vector(Component::kNx, Component::kNy, Component::kNz);
-  if (config.frame_vectors > 1) {
-    add_wide_vector(Component::kAx, Component::kAy, Component::kAz, false);
-    add_wide_vector(Component::kBx, Component::kBy, Component::kBz, config.frame_held != 0);
-    add_wide_vector(Component::kCx, Component::kCy, Component::kCz, config.frame_held != 0);
-  }
-  if (config.has_light_planes) {
-    add_vector(Component::kLx, Component::kLy, Component::kLz);
-    if (config.glossy) add_vector(Component::kHx, Component::kHy, Component::kHz);
-  }
-  if (config.textured) {
-    add(Component::kU, config.uv_width, config.uv_bits, true);
-    add(Component::kV, config.uv_width, config.uv_bits, true);
-    if (config.perspective != 0) {
-      add(Component::kQ, config.q_bits, config.q_bits, false);
-      add(Component::kLod, 6 + config.lod_fraction_bits, config.lod_fraction_bits, true);
-    }
-  }
-  if (config.depth != 0) add(Component::kZ, config.depth_bits, config.depth_bits, false);
-  return formats;
-}
-
 int scan_word_count(const Shape& config) {
   Counter counter;
-  const TriangleWords triangle;
+  const TriangleWords triangle(config);
   scan_fields(config, triangle, counter);
   return counter.words();
 }
 
 int plane_word_count(const Shape& config) {
   Counter counter;
-  const TriangleWords triangle;
+  const TriangleWords triangle(config);
   plane_fields(config, triangle, counter);
   return counter.words();
 }
@@ -206,12 +170,16 @@ DrawWords decode_draw(const Shape& config, std::span<const std::uint64_t> words)
   return draw;
 }
 
-TriangleWords decode_triangle(const Shape& config, std::span<const std::uint64_t> words) {
+void decode(const Shape& config, std::span<const std::uint64_t> words, TriangleWords& triangle) {
   expect_opcode(words, kOpcodeTriangle);
-  TriangleWords triangle;
   Reader reader(words);
   scan_fields(config, triangle, reader);
   plane_fields(config, triangle, reader);
+}
+
+TriangleWords decode_triangle(const Shape& config, std::span<const std::uint64_t> words) {
+  TriangleWords triangle(config);
+  decode(config, words, triangle);
   return triangle;
 }
 

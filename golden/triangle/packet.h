@@ -9,6 +9,7 @@
 
 #include "golden/config/config.h"
 #include "golden/triangle/draw.h"
+#include "golden/triangle/plane_list.h"
 
 namespace wrinkle {
 
@@ -33,43 +34,22 @@ struct EdgeWords {
   bool operator==(const EdgeWords&) const = default;
 };
 
-// One interpolated component; all three modulo 2^(width + G), kept as the residue of that many bits that is
+// One plane; all three modulo 2^(width + G), kept as the residue of that many bits that is
 // sign-extended. Of a constant one `value` modulo 2^width.
 struct PlaneWords {
   std::int64_t value = 0, row = 0, dw = 0;
   bool operator==(const PlaneWords&) const = default;
 };
 
-// The components of `interpolate`. A configuration has a subset of them; component_formats() has their order.
-// clang-format off
-enum class Component {
-  kNx, kNy, kNz, kLx, kLy, kLz,
-  kHx, kHy, kHz,  // or the view vector
-  kU, kV, kQ, kLod, kZ,
-  kAx, kAy, kAz,  // Pu x Pv, Pv x N and N x Pu [Peercy97 fig. 2]
-  kBx, kBy, kBz,
-  kCx, kCy, kCz
-};
-// clang-format on
-inline constexpr int kComponents = 23;
-
-struct ComponentFormat {
-  Component component;
-  int width;          // without guard bits
-  int fraction_bits;  // of the output
-  bool is_signed;
-  bool is_constant = false;  // over a triangle: `value` alone is sent, without guard bits, rounded by set-up
-};
-// The planes a configuration has, in packet order. (Lod is among them only with perspective; else it is a constant
-// field.)
-std::vector<ComponentFormat> component_formats(const Shape& config);
-
 struct TriangleWords {
+  // All planes are zero.
+  explicit TriangleWords(const Shape& config) : planes(PlanePlaces(config).count) {}
+
   bool mirror = false;
   int y = 0, rows = 1, rows_end0 = 1;
   EdgeWords start, end0, end1;
-  std::array<PlaneWords, kComponents> planes{};  // by Component; those not configured stay zero
-  int lod = 0;                                   // without perspective
+  std::vector<PlaneWords> planes;  // in the order of plane_formats()
+  int lod = 0;                     // where the level of detail is held
 
   bool operator==(const TriangleWords&) const = default;
 };
@@ -82,6 +62,8 @@ void encode(const Shape& config, const DrawWords& draw, std::vector<std::uint64_
 void encode(const Shape& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words);
 DrawWords decode_draw(const Shape& config, std::span<const std::uint64_t> words);
 TriangleWords decode_triangle(const Shape& config, std::span<const std::uint64_t> words);
+// The same into a triangle of this configuration.
+void decode(const Shape& config, std::span<const std::uint64_t> words, TriangleWords& triangle);
 
 // A colour as the configured channels: three, or one, the luminance (Rec. 709), in x.
 Vec3 to_channels(const Shape& config, Vec3 colour);

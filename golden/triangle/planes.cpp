@@ -1,5 +1,6 @@
 #include "golden/triangle/planes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -37,137 +38,134 @@ Slope slope(const Corners& corners, const std::array<std::int64_t, 3>& a) {
 
 std::int64_t denominator(const Corners& corners) { return corners.area < 0 ? -corners.area : corners.area; }
 
-// Corner values of the components, exact doubles of the format's scale.
-class Attributes {
- public:
-  Attributes(const Shape& config, const Corners& corners, const DrawWords& draw) : config_(config), corners_(corners) {
-    const std::vector<std::array<Vec3, 3>> frame = frame_corners(config, corners, draw);
-    const Component first = config.frame_vectors == 1 ? Component::kNx : Component::kAx;
-    for (std::size_t i = 0; i < frame.size(); ++i) {
-      if (config.frame_unbounded == 0) expect_unit_length(frame[i]);
-      put(static_cast<Component>(at(first) + 3 * i), frame[i]);
-    }
+void expect_unit_length(const std::array<Vec3, 3>& vectors) {
+  for (const Vec3& value : vectors) {
+    if (!(length(value) < 1.5)) throw std::invalid_argument("a vector at a vertex is not of unit length");
+  }
+}
+
+// What the planes are laid through, by the names of values.def: exact doubles of the format's scale. The level of
+// detail is not here, since it follows from the others.
+struct Attributes {
+  Attributes(const Shape& config, const Corners& corners, const DrawWords& draw)
+      : frame(frame_corners(config, corners, draw)) {
+    if (config.frame_unbounded == 0) std::for_each(frame.begin(), frame.end(), expect_unit_length);
+    const auto unit_vector = [&](Vec3 ScreenVertex::*member, int normalizer) {
+      const std::array<Vec3, 3> vectors = vector_corners(config, corners, member, normalizer);
+      expect_unit_length(vectors);
+      return vectors;
+    };
     if (config.has_light_planes) {
-      vector(Component::kLx, &ScreenVertex::L, config.normalizer_l);
-      if (config.glossy) vector(Component::kHx, &ScreenVertex::H, config.third_normalizer);
+      l = unit_vector(&ScreenVertex::L, config.normalizer_l);
+      if (config.glossy) h = unit_vector(&ScreenVertex::H, config.third_normalizer);
     }
-    for (std::size_t i = 0; i < 3; ++i) values_[at(Component::kZ)][i] = depth_in_format(config, corners.v[i]->z);
+    for (std::size_t i = 0; i < 3; ++i) z[i] = depth_in_format(config, corners.v[i]->z);
     // What no texel is fetched for need not fit.
     if (draw.textured) {
       const TextureCorners texture = texture_corners(config, corners, draw);
-      values_[at(Component::kU)] = texture.u;
-      values_[at(Component::kV)] = texture.v;
-      values_[at(Component::kQ)] = texture.q;
+      u = texture.u, v = texture.v, q = texture.q;
     } else {
-      values_[at(Component::kQ)].fill(1 - std::ldexp(1.0, -config.q_bits));
+      q.fill(1 - std::ldexp(1.0, -config.q_bits));
     }
   }
-  const Values& operator[](Component component) const { return values_[at(component)]; }
+  TextureCorners texture() const { return {u, v, q}; }
 
- private:
-  static std::size_t at(Component component) { return static_cast<std::size_t>(component); }
-
-  void vector(Component x, Vec3 ScreenVertex::*member, int normalizer) {
-    const std::array<Vec3, 3> vectors = vector_corners(config_, corners_, member, normalizer);
-    expect_unit_length(vectors);
-    put(x, vectors);
-  }
-
-  static void expect_unit_length(const std::array<Vec3, 3>& vectors) {
-    for (const Vec3& value : vectors) {
-      if (!(length(value) < 1.5)) throw std::invalid_argument("a vector at a vertex is not of unit length");
-    }
-  }
-
-  void put(Component x, const std::array<Vec3, 3>& vectors) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      values_[at(x)][i] = vectors[i].x;
-      values_[at(x) + 1][i] = vectors[i].y;
-      values_[at(x) + 2][i] = vectors[i].z;
-    }
-  }
-
-  const Shape& config_;
-  const Corners& corners_;
-  std::array<Values, kComponents> values_{};
+  std::vector<std::array<Vec3, 3>> frame;
+  std::array<Vec3, 3> l{}, h{};
+  Values u{}, v{}, q{}, lod{}, z{};
 };
+
+void append(const Values& values, std::vector<Values>& list) { list.push_back(values); }
+void append(const std::array<Vec3, 3>& a, std::vector<Values>& list) {
+  list.push_back({a[0].x, a[1].x, a[2].x});
+  list.push_back({a[0].y, a[1].y, a[2].y});
+  list.push_back({a[0].z, a[1].z, a[2].z});
+}
+void append(const std::vector<std::array<Vec3, 3>>& vectors, std::vector<Values>& list) {
+  for (const std::array<Vec3, 3>& a : vectors) append(a, list);
+}
+
+// In the order of plane_formats().
+std::vector<Values> in_packet_order(const Shape& c, const Attributes& attributes) {
+  std::vector<Values> list;
+  list.reserve(PlanePlaces(c).count);
+#define WRINKLE_FRAME(stage, name, reader) append(attributes.name, list);
+#define WRINKLE_PLANE(name, elements, width, fraction_bits, is_signed, present, reader) \
+  if (present) append(attributes.name, list);
+#define WRINKLE_LEVEL(name, width, fraction_bits, present, reader) \
+  if ((present) && c.divides != 0) append(attributes.name, list);
+#include "golden/values.def"
+  return list;
+}
 
 // With perspective u, v become u*q, v*q of the rounded q, so that the quotient is u, v at the corners; and the level of
 // detail is a plane through its values at the corners.
 void make_perspective(const Shape& config, const Corners& corners, const DrawWords& draw, const Attributes& attributes,
-                      Planes& planes) {
-  const auto plane = [&](Component component) -> Planes::Plane& {
-    return planes.planes[static_cast<std::size_t>(component)];
-  };
+                      std::vector<Planes::Plane>& planes) {
+  const PlanePlaces at(config);
   const int uv_bits = config.uv_bits + config.guard_bits, q_bits = config.q_bits + config.guard_bits;
+  const TextureCorners texture = attributes.texture();
   for (std::size_t i = 0; i < 3; ++i) {
-    const double q = std::ldexp(static_cast<double>(plane(Component::kQ).corner[i]), -q_bits);
-    plane(Component::kU).corner[i] = to_fixed(attributes[Component::kU][i] * q, uv_bits);
-    plane(Component::kV).corner[i] = to_fixed(attributes[Component::kV][i] * q, uv_bits);
-  }
-  const TextureCorners texture{attributes[Component::kU], attributes[Component::kV], attributes[Component::kQ]};
-  for (std::size_t i = 0; i < 3; ++i) {
+    const double q = std::ldexp(static_cast<double>(planes[at.q].corner[i]), -q_bits);
+    planes[at.u].corner[i] = to_fixed(attributes.u[i] * q, uv_bits);
+    planes[at.v].corner[i] = to_fixed(attributes.v[i] * q, uv_bits);
     const double rho_squared = texel_rate_squared_at(config, corners, texture, draw, i);
-    plane(Component::kLod).corner[i] =
+    planes[at.lod].corner[i] =
         level_of_detail(rho_squared, config.lod_fraction_bits + config.guard_bits, -kFarthestLevel, kFarthestLevel);
   }
+}
+
+void add_gradients(const Shape& config, const Corners& corners, const PlaneFormat& format, Planes::Plane& plane) {
+  const Slope per_subpixel = slope(corners, plane.corner);
+  const Wide one = Wide{1} << config.subpixel_bits;
+  const int bits = format.width + config.guard_bits;
+  plane.dx = wrap(round_divide(per_subpixel.x * one, denominator(corners)), bits);
+  plane.dy = wrap(round_divide(per_subpixel.y * one, denominator(corners)), bits);
 }
 
 }  // namespace
 
 Planes make_planes(const Shape& config, const Corners& corners, const DrawWords& draw) {
   const Attributes attributes(config, corners, draw);
-  const std::vector<ComponentFormat> formats = component_formats(config);
-  Planes planes;
-  for (const ComponentFormat& format : formats) {
-    const Values& values = attributes[format.component];
-    Planes::Plane& plane = planes.planes[static_cast<std::size_t>(format.component)];
-    for (std::size_t i = 0; i < 3; ++i) {
-      plane.corner[i] = to_fixed(values[i], format.fraction_bits + (format.is_constant ? 0 : config.guard_bits));
-    }
+  const std::vector<Values> values = in_packet_order(config, attributes);
+  const std::vector<PlaneFormat> formats = plane_formats(config);
+  Planes planes{std::vector<Planes::Plane>(formats.size())};
+  for (std::size_t p = 0; p < formats.size(); ++p) {
+    const int bits = formats[p].fraction_bits + (formats[p].is_held ? 0 : config.guard_bits);
+    for (std::size_t i = 0; i < 3; ++i) planes.planes[p].corner[i] = to_fixed(values[p][i], bits);
   }
   if (config.textured && draw.textured) {
-    if (config.perspective != 0) {
-      make_perspective(config, corners, draw, attributes, planes);
+    if (config.divides != 0) {
+      make_perspective(config, corners, draw, attributes, planes.planes);
     } else {
-      const TextureCorners texture{attributes[Component::kU], attributes[Component::kV], attributes[Component::kQ]};
-      const double rho_squared = texel_rate_squared(config, corners, texture, draw);
+      const double rho_squared = texel_rate_squared(config, corners, attributes.texture(), draw);
       planes.lod = static_cast<int>(level_of_detail(rho_squared, config.lod_fraction_bits, 0, draw.max_level));
     }
   }
-  for (const ComponentFormat& format : formats) {
-    if (format.is_constant) continue;
-    Planes::Plane& plane = planes.planes[static_cast<std::size_t>(format.component)];
-    const Slope per_subpixel = slope(corners, plane.corner);
-    const Wide one = Wide{1} << config.subpixel_bits;
-    const int bits = format.width + config.guard_bits;
-    plane.dx = wrap(round_divide(per_subpixel.x * one, denominator(corners)), bits);
-    plane.dy = wrap(round_divide(per_subpixel.y * one, denominator(corners)), bits);
-  }
+  for (std::size_t p = 0; p < formats.size(); ++p)
+    if (!formats[p].is_held) add_gradients(config, corners, formats[p], planes.planes[p]);
   return planes;
 }
 
-std::array<PlaneWords, kComponents> anchor(const Shape& config, const Corners& corners, const Planes& planes,
-                                           bool mirror, int y, const EdgeWords& start) {
+void anchor(const Shape& config, const Corners& corners, const Planes& planes, TriangleWords& piece) {
   const std::int64_t one = std::int64_t{1} << config.subpixel_bits;
-  const std::int64_t x = mirror ? -1 - start.w : start.w;
-  const Wide to_x = x * one + one / 2 - corners.v[0]->x, to_y = y * one + one / 2 - corners.v[0]->y;
-  std::array<PlaneWords, kComponents> words{};
-  for (const ComponentFormat& format : component_formats(config)) {
-    const auto index = static_cast<std::size_t>(format.component);
+  const std::int64_t x = piece.mirror ? -1 - piece.start.w : piece.start.w;
+  const Wide to_x = x * one + one / 2 - corners.v[0]->x, to_y = piece.y * one + one / 2 - corners.v[0]->y;
+  std::size_t index = 0;
+  for_each_plane(config, [&](const PlaneFormat& format) {
     const Planes::Plane& plane = planes.planes[index];
-    if (format.is_constant) {
-      words[index].value = wrap(plane.corner[0], format.width);
-      continue;
+    PlaneWords& words = piece.planes[index++];
+    if (format.is_held) {
+      words.value = wrap(plane.corner[0], format.width);
+      return;
     }
     const int bits = format.width + config.guard_bits;
     const Slope per_subpixel = slope(corners, plane.corner);
     const Wide rise = round_divide(per_subpixel.x * to_x + per_subpixel.y * to_y, denominator(corners));
-    words[index].value = wrap(plane.corner[0] + rise + (Wide{1} << (config.guard_bits - 1)), bits);
-    words[index].dw = wrap(mirror ? -Wide{plane.dx} : Wide{plane.dx}, bits);
-    words[index].row = wrap(Wide{plane.dy} + Wide{start.step} * words[index].dw, bits);
-  }
-  return words;
+    words.value = wrap(plane.corner[0] + rise + (Wide{1} << (config.guard_bits - 1)), bits);
+    words.dw = wrap(piece.mirror ? -Wide{plane.dx} : Wide{plane.dx}, bits);
+    words.row = wrap(Wide{plane.dy} + Wide{piece.start.step} * words.dw, bits);
+  });
 }
 
 }  // namespace wrinkle

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "golden/triangle/coverage.h"
 #include "golden/triangle/planes.h"
@@ -16,7 +17,7 @@ std::vector<TriangleWords> set_up(const Shape& config, const ScreenTriangle& tri
   std::vector<TriangleWords> packets;
   packets.reserve(pieces.size());
   for (const Piece& piece : pieces) {
-    TriangleWords packet;
+    TriangleWords packet(config);
     packet.mirror = piece.mirror;
     packet.y = piece.y;
     packet.rows = piece.rows;
@@ -24,9 +25,9 @@ std::vector<TriangleWords> set_up(const Shape& config, const ScreenTriangle& tri
     packet.start = piece.start;
     packet.end0 = piece.end0;
     packet.end1 = piece.end1;
-    packet.planes = anchor(config, corners, planes, piece.mirror, piece.y, piece.start);
+    anchor(config, corners, planes, packet);
     packet.lod = planes.lod;
-    packets.push_back(packet);
+    packets.push_back(std::move(packet));
   }
   return packets;
 }

@@ -6,7 +6,8 @@
 // the packet. Does not clip: set-up lets no row leave the screen.
 // With SHARING on and BUFFERING single an interpolator has one adder, and the walk it is told has one sum a clock: a
 // row that the pixel engine takes or that is empty is stepped over in the clock after, in one more where the start edge
-// carries, and no pixel is offered meanwhile.
+// carries, and no pixel is offered meanwhile. A pixel that is offered stays so until it is taken: no row is stepped over
+// before.
 module wrinkle_scan #(
   parameter SHARING       = 0,
   parameter BUFFERING     = 0,
@@ -51,10 +52,11 @@ module wrinkle_scan #(
   wire signed [X+1:0] start, finish;
   wire             load, step, carry, to_end1, unused_carry;
   wire             waits;                     // for the interpolators' adder
+  wire             held;                      // ... and the adder for a pixel that is offered
 
   wire row_full  = start < finish;
   wire nonempty  = row_valid_q & row_full & ~waits;
-  wire empty     = row_valid_q & ~row_full & ~waits;
+  wire empty     = row_valid_q & ~row_full & ~waits & ~held;
 
   // Pixel engine.
   reg         pixel_valid_q, pixel_mirror_q;
@@ -100,6 +102,7 @@ module wrinkle_scan #(
     if (SHARING != 0 && BUFFERING != 0) begin : one_sum_a_clock
       reg step_q, carry_q;
       assign waits   = step_q | carry_q;
+      assign held    = out_valid_o & ~out_ready_i;
       assign step_o  = step_q;
       assign carry_o = carry_q & ~step_q;
       always @(posedge clk)
@@ -107,6 +110,7 @@ module wrinkle_scan #(
         else {step_q, carry_q} <= {step, step ? carry : carry_q & step_q};
     end else begin : at_once
       assign waits   = 1'b0;
+      assign held    = 1'b0;
       assign step_o  = step;
       assign carry_o = carry;
     end

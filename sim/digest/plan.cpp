@@ -3,9 +3,17 @@
 #include <fmt/format.h>
 
 #include "sim/config_file.h"
+#include "sim/digest/choices.h"
 #include "tb/random_frame.h"
 
 namespace wrinkle {
+namespace {
+
+DigestFrame random_line(const char* kind, const Config& config, std::uint64_t seed) {
+  return {fmt::format("{}_{}", kind, seed), settings_of(config), fmt::format("random:{}", seed)};
+}
+
+}  // namespace
 
 std::vector<DigestFrame> planned_frames() {
   constexpr std::uint64_t kRandomConfigs = 100;
@@ -16,8 +24,14 @@ std::vector<DigestFrame> planned_frames() {
       frames.push_back({name, settings, scene});
   }
   for (std::uint64_t seed = 1; seed <= kRandomConfigs; ++seed)
-    frames.push_back(
-        {fmt::format("random_{}", seed), settings_of(random_config(seed)), fmt::format("random:{}", seed)});
+    frames.push_back(random_line("random", random_config(seed), seed));
+  // Choices that a hundred configurations drawn at random do not happen to have.
+  for (std::uint64_t seed = kRandomConfigs + 1; seed <= kRandomConfigs + 16; ++seed) {
+    Config config = random_config(seed);
+    const bool shares = seed % 2 != 0;
+    shares ? share_units(config) : normalize_after(config);
+    frames.push_back(random_line(shares ? "shared" : "after", config, seed));
+  }
   return frames;
 }
 

@@ -72,8 +72,10 @@ void add_values(const Shape& c, Part part, const Replay& replay, std::size_t i, 
   };
   switch (part) {
     case Part::kInterpolate:
-      for (std::size_t k = 0; k < std::size_t(c.frame_vectors); ++k)
-        sums.add_vector(r.frame[i][k], e.frame[i][k], ulp_of(c.frame_bits));
+      for (std::size_t k = 0; const FrameVector& v : frame_vectors(c)) {
+        if (v.width != 0) sums.add_vector(r.frame[i][k], e.frame[i][k], ulp_of(v.fraction_bits));
+        ++k;
+      }
       add_vector(c.has_light_planes != 0, &exact::Fragments::interpolated_l, vector);
       return add_vector(c.has_light_planes != 0 && c.glossy != 0, &exact::Fragments::interpolated_h, vector);
     case Part::kTexel:

@@ -10,36 +10,19 @@ namespace {
 using exact::Fragments;
 using exact::Numbers;
 
-struct Place {
-  std::string_view wire;  // as in values.def
-  Numbers* (*target)(Fragments&, std::size_t element);
+// Where the value on a wire goes. Behind `perspective` u and v are the divided ones.
+struct Target {
+  std::string_view wire;
+  Numbers* (*numbers)(Fragments&, std::size_t element);
 };
-
-// Where each value goes; u and v are those behind `perspective`, where there is one.
-#define WRINKLE_PLACE(stage, name, column)                                                          \
-  {                                                                                                 \
-#stage "_" #name, [](Fragments & b, std::size_t element) { return &b.column.element[element]; } \
-  }
-constexpr Place kPlaces[] = {WRINKLE_PLACE(interpolate, frame, frame),
-                             WRINKLE_PLACE(interpolate, l, interpolated_l),
-                             WRINKLE_PLACE(interpolate, h, interpolated_h),
-                             WRINKLE_PLACE(interpolate, u, u),
-                             WRINKLE_PLACE(interpolate, v, v),
-                             WRINKLE_PLACE(interpolate, lod, lod),
-                             WRINKLE_PLACE(perspective, u, u),
-                             WRINKLE_PLACE(perspective, v, v),
-                             WRINKLE_PLACE(texture, bump, bump),
-                             WRINKLE_PLACE(texture, decal, decal),
-                             WRINKLE_PLACE(perturb, n, perturbed_n),
-                             WRINKLE_PLACE(normalize, n, n),
-                             WRINKLE_PLACE(normalize, l, l),
-                             WRINKLE_PLACE(normalize, h, h),
-                             WRINKLE_PLACE(light, nl, nl),
-                             WRINKLE_PLACE(light, nh, nh),
-                             WRINKLE_PLACE(light, diffuse, diffuse),
-                             WRINKLE_PLACE(light, specular, specular),
-                             WRINKLE_PLACE(output, colour, colour)};
-#undef WRINKLE_PLACE
+constexpr Target kTargets[] = {
+#define WRINKLE_EXACT(type, name, initial, wire) \
+  {#wire, [](Fragments& b, std::size_t element) { return &b.name.element[element]; }},
+#include "golden/exact/fragment.def"
+#undef WRINKLE_EXACT
+    {"perspective_u", [](Fragments& b, std::size_t) { return &b.u.element[0]; }},
+    {"perspective_v", [](Fragments& b, std::size_t) { return &b.v.element[0]; }},
+};
 
 double full_scale(int bits) { return 1 / (1 - std::ldexp(1.0, -bits)); }
 
@@ -50,11 +33,11 @@ GoldenReals::GoldenReals(const Shape& config) : values_(values(config)), grey_(c
 }
 
 void GoldenReals::add(const Shape& config, const Value& value, std::size_t index) {
-  for (const Place& place : kPlaces) {
-    if (place.wire != value.wire) continue;
-    const auto first = std::size_t(value.lowest_bit / value.width);
+  for (const Target& target : kTargets) {
+    if (target.wire != value.wire) continue;
+    const auto first = std::size_t(value.first_element);
     for (std::size_t k = 0; k < std::size_t(value.elements); ++k) {
-      Element element{place.target, first + k, index, k, std::ldexp(1.0, -value.fraction_bits)};
+      Element element{target.numbers, first + k, index, k, std::ldexp(1.0, -value.fraction_bits)};
       if (value.name == "decal") element.factor = full_scale(config.texel_bits), element.textured_only = true;
       if (value.name == "colour") element.factor = full_scale(config.colour_bits);
       if (config.normalizes_after != 0 && value.stage == "normalize") {

@@ -81,7 +81,7 @@ Extreme mirrored_frame(const Config& config) {
         continue;
       }
       const auto other = left.find({kSide - 1 - x, y});
-      for (std::size_t c = 0; c < std::size_t(config.channel_count()); ++c)
+      for (std::size_t c = 0; c < std::size_t(Shape(config).count); ++c)
         extreme.measure(other == left.end() ? 1e9 : double(std::abs(f[colour][c] - other->second[colour][c])),
                         fmt::format("pixel {}, {}", x, y));
     }

@@ -99,7 +99,7 @@ Extreme wrapping(const Config& config) {
   const int length = 64;
   for (std::int64_t step : {std::int64_t{1}, std::int64_t{-1}, end / 3, -end / 3}) {
     TriangleWords words = stimulus.row(0, 0, length);
-    stimulus.set(words, Component::kNx, step > 0 ? end - 1 : -end, step);
+    stimulus.set(words, "n", 0, step > 0 ? end - 1 : -end, step);
     stimulus.add(words);
   }
   std::vector<std::uint32_t> owners;

@@ -137,7 +137,7 @@ void measure_colour(Extreme& extreme, const Stimulus& stimulus, const Material& 
     const double a[] = {material.ambient.x, material.ambient.y, material.ambient.z};
     const double d[] = {material.diffuse.x, material.diffuse.y, material.diffuse.z};
     const double s[] = {material.specular.x, material.specular.y, material.specular.z};
-    for (std::size_t c = 0; c < std::size_t(stimulus.config().channel_count()); ++c) {
+    for (std::size_t c = 0; c < std::size_t(Shape(stimulus.config()).count); ++c) {
       const double sum = quantised(a[c]) + quantised(d[c]) * diffuse + quantised(s[c]) * specular;
       const double code = double(f[stimulus.index("output", "colour")][c]);
       extreme.measure(std::abs(code - top * std::min(sum, 1.0)), fmt::format("sum {}", sum));
@@ -176,10 +176,10 @@ Extreme light_at_vertex(const Config& config) {
   stimulus.add_vectors({0, 0, one}, {0, 0, 0}, {0, 0, one});
   stimulus.add_vectors({0, 0, one}, {0, 0, 1}, {0, 0, one});
   TriangleWords infinity = stimulus.row(0, 4, 50);
-  stimulus.set(infinity, Component::kNz, one);
-  stimulus.set(infinity, Component::kLx, one * 3 / 5);
-  stimulus.set(infinity, Component::kLz, one * 4 / 5);
-  stimulus.set(infinity, Component::kHz, one);
+  stimulus.set(infinity, "n", 2, one);
+  stimulus.set(infinity, "l", 0, one * 3 / 5);
+  stimulus.set(infinity, "l", 2, one * 4 / 5);
+  stimulus.set(infinity, "h", 2, one);
   stimulus.add(infinity);
   const auto fragments = stimulus.golden();
   const std::size_t zero = stimulus.index("normalize", "zero"), diffuse = stimulus.index("light", "diffuse");

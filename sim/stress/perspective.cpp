@@ -12,8 +12,8 @@
 namespace wrinkle {
 namespace {
 
-Texture one_texel(const Config& config) {
-  return {.components = config.texel_components(), .component_bits = config.texel_bits, .levels = {{0}}};
+Texture one_texel(const Shape& config) {
+  return {.components = config.texels, .component_bits = config.texel_bits, .levels = {{0}}};
 }
 
 // u = uq / q for every q. It is off by half an LSB and by the relative error of the reciprocal, 2^-R.
@@ -36,9 +36,9 @@ Extreme perspective_range(const Config& named) {
     const double exact = double(uq) / (double(q) / double(top));
     if (std::abs(exact) >= std::ldexp(reach, config.uv_bits) - extreme.bound - 1) return;
     TriangleWords words = stimulus.row(int(expected.size()) % 1024, int(expected.size()) / 1024);
-    stimulus.set(words, Component::kU, uq);
-    stimulus.set(words, Component::kV, -uq);
-    stimulus.set(words, Component::kQ, q);
+    stimulus.set(words, "u", 0, uq);
+    stimulus.set(words, "v", 0, -uq);
+    stimulus.set(words, "q", 0, q);
     stimulus.add(words);
     expected.push_back({exact, -exact});
   };

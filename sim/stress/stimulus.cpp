@@ -16,7 +16,7 @@ ScreenTriangle screen_triangle(std::array<std::array<std::int32_t, 2>, 3> corner
   return triangle;
 }
 
-Stimulus::Stimulus(const Config& config) : config_(config), values_(values(config)) {}
+Stimulus::Stimulus(const Config& config) : config_(config), values_(values(config)), formats_(plane_formats(config)) {}
 
 int Stimulus::add_texture(Texture texture) {
   textures_.push_back(std::move(texture));
@@ -30,24 +30,25 @@ void Stimulus::add_draw(const DrawState& state) {
 }
 
 TriangleWords Stimulus::row(int x, int y, int length) const {
-  TriangleWords words;
+  TriangleWords words(config_);
   words.y = y;
   words.start.w = x;
   words.end0.w = words.end1.w = x + length;
-  for (const ComponentFormat& format : component_formats(config_)) set(words, format.component, 0);
+  for (const PlaneFormat& format : formats_) set(words, format.name, format.element, 0);
   return words;
 }
 
-void Stimulus::set(TriangleWords& words, Component component, std::int64_t value, std::int64_t step) const {
-  for (const ComponentFormat& format : component_formats(config_)) {
-    if (format.component != component) continue;
-    const int bits = format.width + config_.guard_bits;
+void Stimulus::set(TriangleWords& words, std::string_view name, std::size_t element, std::int64_t value,
+                   std::int64_t step) const {
+  for (std::size_t p = 0; p < formats_.size(); ++p) {
+    if (!formats_[p].is(name, element)) continue;
+    const int bits = formats_[p].width + config_.guard_bits;
     const std::int64_t half = std::int64_t{1} << (config_.guard_bits - 1);
     const auto wrap = [&](std::int64_t v) {
       const std::int64_t low = v & ((std::int64_t{1} << bits) - 1);
-      return format.is_signed && (low >> (bits - 1)) != 0 ? low - (std::int64_t{1} << bits) : low;
+      return formats_[p].is_signed && (low >> (bits - 1)) != 0 ? low - (std::int64_t{1} << bits) : low;
     };
-    PlaneWords& plane = words.planes[std::size_t(component)];
+    PlaneWords& plane = words.planes[p];
     plane.value = wrap((value << config_.guard_bits) + half);
     plane.dw = wrap(step << config_.guard_bits);
     plane.row = 0;
@@ -71,10 +72,10 @@ void Stimulus::add_vectors(std::array<std::int64_t, 3> n, std::array<std::int64_
   const int side = config_.screen_size();
   TriangleWords words = row(next_ % side, next_ / side % side);
   ++next_;
-  for (int i = 0; i < 3; ++i) {
-    set(words, Component(int(Component::kNx) + i), n[std::size_t(i)]);
-    set(words, Component(int(Component::kLx) + i), l[std::size_t(i)]);
-    set(words, Component(int(Component::kHx) + i), h[std::size_t(i)]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    set(words, "n", i, n[i]);
+    set(words, "l", i, l[i]);
+    set(words, "h", i, h[i]);
   }
   add(words);
 }

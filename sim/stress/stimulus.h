@@ -27,11 +27,12 @@ class Stimulus {
   void add_draw(const DrawState& state);
 
   // A row of `length` pixels from (x, y) to the right. All planes are zero but for the half that rounds. The caller
-  // changes
-  // what it wants, and adds it by add().
+  // changes what it wants, and adds it by add().
   TriangleWords row(int x, int y, int length = 1) const;
-  // The value of a component at the first pixel, and its step along the row, in LSB of the component.
-  void set(TriangleWords& words, Component component, std::int64_t value, std::int64_t step = 0) const;
+  // An element of a value of `interpolate` at the first pixel, and its step along the row, in LSB of the value. Nothing
+  // is set where the configuration lacks it.
+  void set(TriangleWords& words, std::string_view name, std::size_t element, std::int64_t value,
+           std::int64_t step = 0) const;
   void add(const TriangleWords& words);
   // A row of one pixel, placed after the one before; N, L and H in LSB of s1.V.
   void add_vectors(std::array<std::int64_t, 3> n, std::array<std::int64_t, 3> l, std::array<std::int64_t, 3> h);
@@ -58,6 +59,7 @@ class Stimulus {
  private:
   Config config_;
   std::vector<Value> values_;
+  std::vector<PlaneFormat> formats_;
   DrawState state_;
   void append(const TriangleWords& words);
 

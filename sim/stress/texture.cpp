@@ -11,10 +11,10 @@ namespace wrinkle {
 namespace {
 
 // Texel words of the configuration: T bits a component, base colour where it has one.
-Texture empty_texture(const Config& config, int log2_size) {
+Texture empty_texture(const Shape& config, int log2_size) {
   return {.log2_width = log2_size,
           .log2_height = log2_size,
-          .components = config.texel_components(),
+          .components = config.texels,
           .component_bits = config.texel_bits};
 }
 
@@ -87,7 +87,7 @@ double filter_bound(const Config& config, bool exact_weights) {
 }
 
 // One level of detail in LSB.
-int lod_one(const Config& config) { return 1 << config.lod_fraction_bits(); }
+int lod_one(const Shape& config) { return 1 << config.lod_fraction_bits; }
 
 struct Probe {
   std::int64_t u, v;  // LSB of u
@@ -112,10 +112,10 @@ struct TextureTest {
     stimulus.add_draw(state);
     for (const Probe& probe : probes) {
       TriangleWords words = stimulus.row(int(drawn_.size()) % 1024, int(drawn_.size()) / 1024);
-      stimulus.set(words, Component::kU, probe.u);
-      stimulus.set(words, Component::kV, probe.v);
-      stimulus.set(words, Component::kLz, vector_one(stimulus.config()));
-      stimulus.set(words, Component::kHz, vector_one(stimulus.config()));
+      stimulus.set(words, "u", 0, probe.u);
+      stimulus.set(words, "v", 0, probe.v);
+      stimulus.set(words, "l", 2, vector_one(stimulus.config()));
+      stimulus.set(words, "h", 2, vector_one(stimulus.config()));
       words.lod = probe.lod;
       stimulus.add(words);
       drawn_.push_back({state.texture, wrap, probe});
@@ -130,7 +130,7 @@ struct TextureTest {
       for (std::size_t e = 0; e < 3; ++e) {
         const double expected = filtered(
             stimulus.textures()[std::size_t(texture)], wrap, std::ldexp(double(probe.u), -config.uv_bits),
-            std::ldexp(double(probe.v), -config.uv_bits), std::ldexp(probe.lod, -config.lod_fraction_bits()), e);
+            std::ldexp(double(probe.v), -config.uv_bits), std::ldexp(probe.lod, -Shape(config).lod_fraction_bits), e);
         const double got = stimulus.real(fragments[i], "texture", "n", e);
         extreme.measure(std::ldexp(std::abs(got - expected), config.vector_bits),
                         fmt::format("u {} v {} lod {} wrap {}", probe.u, probe.v, probe.lod, int(wrap)));
@@ -274,7 +274,7 @@ Extreme zero_normals(const Config& config, const Texture& texture, const std::ve
 }
 
 Extreme opposed_levels(const Config& config) {
-  if (!config.trilinear()) return {.unreachable = "one level at a time without trilinear filtering"};
+  if (Shape(config).trilinear == 0) return {.unreachable = "one level at a time without trilinear filtering"};
   const std::uint64_t one_way = some_texel(config), other = opposed_texel(config);
   const std::int64_t one = repeat_one(config);
   const int half = lod_one(config) / 2;
@@ -319,10 +319,10 @@ Extreme divergence(const Config& named) {
       5 * level, 5 * level + 1, 16 * level - 1, 16 * level, end - 1};
   for (std::size_t i = 0; i < lods.size(); ++i) {
     TriangleWords words = stimulus.row(int(i), 0);
-    stimulus.set(words, Component::kU, one / 5);
-    stimulus.set(words, Component::kV, one / 3);
-    stimulus.set(words, Component::kQ, 3 << (config.q_bits - 2));
-    stimulus.set(words, Component::kLod, lods[i]);
+    stimulus.set(words, "u", 0, one / 5);
+    stimulus.set(words, "v", 0, one / 3);
+    stimulus.set(words, "q", 0, 3 << (config.q_bits - 2));
+    stimulus.set(words, "lod", 0, lods[i]);
     stimulus.add(words);
   }
   const auto fragments = stimulus.golden();
@@ -331,7 +331,7 @@ Extreme divergence(const Config& named) {
       const FragmentValues& f = fragments[i];
       const double expected =
           filtered(texture, Wrap::kRepeat, stimulus.real(f, "perspective", "u"), stimulus.real(f, "perspective", "v"),
-                   std::ldexp(double(lods[i]), -config.lod_fraction_bits()), e);
+                   std::ldexp(double(lods[i]), -Shape(config).lod_fraction_bits), e);
       extreme.measure(std::ldexp(std::abs(stimulus.real(f, "texture", "n", e) - expected), config.vector_bits),
                       fmt::format("lod {}", lods[i]));
     }

@@ -62,9 +62,9 @@ Extreme through_zero(const Config& config) {
   Stimulus stimulus(config);
   stimulus.add_draw({});
   TriangleWords words = stimulus.row(0, 0, 65);
-  stimulus.set(words, Component::kNx, -32, 1);
-  stimulus.set(words, Component::kLx, vector_one(config) / 2);
-  stimulus.set(words, Component::kHx, vector_one(config) / 2);
+  stimulus.set(words, "n", 0, -32, 1);
+  stimulus.set(words, "l", 0, vector_one(config) / 2);
+  stimulus.set(words, "h", 0, vector_one(config) / 2);
   stimulus.add(words);
   const auto fragments = stimulus.golden();
   for (const FragmentValues& f : fragments) {

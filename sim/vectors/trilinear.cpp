@@ -87,8 +87,8 @@ VectorReport check_trilinear(const std::filesystem::path& path, std::span<const 
       stimulus.add_draw(state);
     }
     TriangleWords words = stimulus.row(int(i) % 64, int(i) / 64 % 64);
-    stimulus.set(words, Component::kU, s.u << to_uv);
-    stimulus.set(words, Component::kV, s.v << to_uv);
+    stimulus.set(words, "u", 0, s.u << to_uv);
+    stimulus.set(words, "v", 0, s.v << to_uv);
     words.lod = int(s.lod);
     stimulus.add(words);
   }

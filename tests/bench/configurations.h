@@ -91,6 +91,8 @@ inline std::vector<Rival> rivals() {
          c.normalizer_l = static_cast<int>(Normalizer::kLite);
          c.normalizer_h = static_cast<int>(Normalizer::kNear);
        })},
+      {"without_normalizers",
+       with([](Config& c) { c.normalizer_n = c.normalizer_l = c.normalizer_h = static_cast<int>(Normalizer::kNone); })},
       {"pixel_halfangle", with([&](Config& c) { lit(c, Lighting::kPixelHalfangle); })},
       {"constant_light_pixel_halfangle", with([&](Config& c) {
          lit(c, Lighting::kPixelHalfangle);
@@ -127,6 +129,28 @@ inline std::vector<Rival> rivals() {
          c.specular_squarings = 1;
        })},
   };
+}
+
+// All that makes a packet long, as wide as it goes.
+inline Config longest_packet() {
+  Config config;
+  for (const Parameter& parameter : parameters())
+    if (parameter.values.empty()) config.*parameter.member = parameter.maximum;
+  config.datapath = static_cast<int>(Datapath::kBlinn);
+  config.q_bits = config.reciprocal_bits + 1;
+  config.perspective = config.depth = config.decal = 1;
+  return config;
+}
+
+// As short as it goes, and as narrow.
+inline Config shortest_packet() {
+  Config config;
+  for (const Parameter& parameter : parameters())
+    if (parameter.values.empty()) config.*parameter.member = parameter.minimum;
+  config.datapath = static_cast<int>(Datapath::kRotated);
+  config.lighting = static_cast<int>(Lighting::kDiffuse);
+  config.depth = 0;
+  return config;
 }
 
 inline constexpr int kSpread = 6;

@@ -4,6 +4,7 @@
 
 #include "tb/bench.h"
 #include "tb/random_frame.h"
+#include "tb/random_packets.h"
 #include "tests/bench/configurations.h"
 #include "tests/bench/taps.h"
 
@@ -31,6 +32,19 @@ TEST_P(Rivals, FragmentsAreBitExactUnderStalls) {
 }
 
 TEST_P(Rivals, TapsOfEveryStageAreTheGoldenValues) { expect_taps_are_golden(GetParam().config); }
+
+TEST_P(Rivals, PacketsThatSetUpNeverSendsAreBitExactInEveryStage) {
+  const Config& config = GetParam().config;
+  const std::vector<Texture> textures = random_textures(config, 1);
+  const StallProfile profiles[] = {StallProfile::kNone, StallProfile::kRandom, StallProfile::kBursty};
+  RandomPackets wish;
+  for (wish.seed = 1; wish.seed <= 6; ++wish.seed) {
+    BenchOptions options;
+    options.seed = wish.seed;
+    options.stalls = profiles[wish.seed % 3];
+    expect_taps_are_golden(config, random_packets(config, textures, wish), textures, options);
+  }
+}
 
 // Packets of one fragment follow each other and change the draw state each time; then few triangles under stalls and
 // latencies of ten thousand clocks.

@@ -253,7 +253,7 @@ TEST(Streams, TexelsWiderThanAWordReachTheCore) {
   std::ofstream(root / "rtl" / "wrinkle_core.v") << core;
 
   const Config config = small_config();
-  ASSERT_EQ(config.texel_components() * config.texel_bits, 36);
+  ASSERT_EQ(Shape(config).texels * config.texel_bits, 36);
   RandomFrame wish;
   wish.seed = 8;
   wish.fragments = 3000;

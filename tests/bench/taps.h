@@ -11,25 +11,21 @@
 
 namespace wrinkle {
 
-inline std::vector<FragmentValues> golden_values(const Config& config, const Frame& frame, const PacketStream& stream) {
+inline std::vector<FragmentValues> golden_values(const Config& config, const std::vector<Texture>& textures,
+                                                 const PacketStream& stream) {
   std::vector<FragmentValues> golden;
   const auto keep = [&](const auto& batch) {
     for (int i = 0; i < batch.count; ++i) extract(batch, i, golden.emplace_back());
   };
-  Golden(config, frame.textures).draw(stream.words, {keep, keep});
+  Golden(config, textures).draw(stream.words, {keep, keep});
   return golden;
 }
 
-// Draws a frame of about 3,000 fragments under random stalls. The first values that differ are named.
-inline void expect_taps_are_golden(const Config& config) {
-  RandomFrame wish;
-  wish.seed = 60;
-  wish.fragments = 3000;
-  const Frame frame = random_frame(config, wish);
-  const PacketStream stream = build_packets(config, frame);
-  const std::vector<FragmentValues> golden = golden_values(config, frame, stream);
+// Draws the packets. The first values that differ are named.
+inline void expect_taps_are_golden(const Config& config, const PacketStream& stream,
+                                   const std::vector<Texture>& textures, const BenchOptions& options) {
+  const std::vector<FragmentValues> golden = golden_values(config, textures, stream);
   ASSERT_GT(golden.size(), 1000U);
-
   const std::vector<Value> names = values(config);
   std::size_t next = 0, differences = 0;
   BenchSinks sinks;
@@ -44,11 +40,21 @@ inline void expect_taps_are_golden(const Config& config) {
     }
     ++next;
   };
-  BenchOptions options;
-  options.stalls = StallProfile::kRandom;
-  EXPECT_TRUE(run_bench(config, stream, frame.textures, frame.name, options, sinks).equal());
+  const BenchResult result = run_bench(config, stream, textures, "taps", options, sinks);
+  EXPECT_TRUE(result.equal()) << (result.first ? describe(*result.first) : "");
   EXPECT_EQ(next, golden.size());
   EXPECT_EQ(differences, 0U);
+}
+
+// Draws a frame of about 3,000 fragments under random stalls.
+inline void expect_taps_are_golden(const Config& config) {
+  RandomFrame wish;
+  wish.seed = 60;
+  wish.fragments = 3000;
+  const Frame frame = random_frame(config, wish);
+  BenchOptions options;
+  options.stalls = StallProfile::kRandom;
+  expect_taps_are_golden(config, build_packets(config, frame), frame.textures, options);
 }
 
 }  // namespace wrinkle

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/host/packet_walker.h"
 
 namespace wrinkle {
@@ -14,7 +16,7 @@ std::int64_t residue(Random& random, int bits) {
 
 EdgeWords random_edge(Random& random, const Config& config) {
   EdgeWords edge;
-  edge.denominator = random.integer(1, (std::int64_t{1} << config.edge_bits()) - 1);
+  edge.denominator = random.integer(1, (std::int64_t{1} << Shape(config).edge_bits) - 1);
   edge.remainder = random.integer(-edge.denominator, -1);
   edge.remainder_step = random.integer(0, edge.denominator - 1);
   edge.w = residue(random, config.screen_bits + 2);
@@ -23,7 +25,7 @@ EdgeWords random_edge(Random& random, const Config& config) {
 }
 
 TriangleWords random_triangle(Random& random, const Config& config) {
-  TriangleWords triangle;
+  TriangleWords triangle(config);
   triangle.mirror = random.integer(0, 1) != 0;
   triangle.y = static_cast<int>(random.integer(0, config.screen_size() - 1));
   triangle.rows = static_cast<int>(random.integer(1, config.screen_size()));
@@ -31,17 +33,17 @@ TriangleWords random_triangle(Random& random, const Config& config) {
   triangle.start = random_edge(random, config);
   triangle.end0 = random_edge(random, config);
   triangle.end1 = random_edge(random, config);
-  for (const ComponentFormat& format : component_formats(config)) {
-    if (format.is_constant) {
-      triangle.planes[static_cast<std::size_t>(format.component)].value = residue(random, format.width);
+  for (std::size_t p = 0; const PlaneFormat& format : plane_formats(config)) {
+    PlaneWords& plane = triangle.planes[p++];
+    if (format.is_held) {
+      plane.value = residue(random, format.width);
       continue;
     }
     const int bits = format.width + config.guard_bits;
-    triangle.planes[static_cast<std::size_t>(format.component)] = {residue(random, bits), residue(random, bits),
-                                                                   residue(random, bits)};
+    plane = {residue(random, bits), residue(random, bits), residue(random, bits)};
   }
-  if (config.has_texture() && config.perspective == 0) {
-    triangle.lod = static_cast<int>(random.integer(0, (16 << config.lod_fraction_bits()) - 1));
+  if (Shape(config).textured != 0 && config.perspective == 0) {
+    triangle.lod = static_cast<int>(random.integer(0, (16 << Shape(config).lod_fraction_bits) - 1));
   }
   return triangle;
 }
@@ -72,7 +74,7 @@ TEST(Packet, DrawsComeBackFromTheirWords) {
     if (i % 2 == 1) draw.l = {unit(), unit(), unit()}, draw.h = {unit(), unit(), unit()};
     std::vector<std::uint64_t> words;
     encode(config, draw, words);
-    ASSERT_EQ(words.size(), static_cast<std::size_t>(config.draw_words()));
+    ASSERT_EQ(words.size(), static_cast<std::size_t>(Shape(config).draw_words));
     ASSERT_EQ(decode_draw(config, words), draw);
   }
 }
@@ -98,7 +100,7 @@ TEST(Packet, DrawFieldsLieWhereTheFormatSays) {
 // Bit offsets of docs/formats.md for the standard widths: X = 10, S = 8, ED = 20, plane 0 at a new word.
 TEST(Packet, TriangleFieldsLieWhereTheFormatSays) {
   const Config config = fixed_widths();
-  TriangleWords triangle;
+  TriangleWords triangle(config);
   triangle.mirror = true;
   triangle.y = 0x155;
   triangle.rows = 0x400;
@@ -120,22 +122,20 @@ TEST(Packet, TriangleFieldsLieWhereTheFormatSays) {
   EXPECT_EQ(words[5] >> 22 & 0x3FFFFF, 0x3FFFFFu);
 }
 
-TEST(Packet, ComponentsFollowTheConfiguration) {
+TEST(Packet, PlanesFollowTheConfiguration) {
   Config config = fixed_widths();
-  const auto has = [&](Component component) {
-    for (const ComponentFormat& format : component_formats(config)) {
-      if (format.component == component) return true;
-    }
-    return false;
+  const auto has = [&](std::string_view name) {
+    const std::vector<PlaneFormat> formats = plane_formats(config);
+    return std::any_of(formats.begin(), formats.end(), [&](const PlaneFormat& f) { return f.name == name; });
   };
-  EXPECT_TRUE(has(Component::kHx) && has(Component::kU) && has(Component::kZ));
-  EXPECT_FALSE(has(Component::kQ) || has(Component::kLod));
+  EXPECT_TRUE(has("h") && has("u") && has("z"));
+  EXPECT_FALSE(has("q") || has("lod"));
   config.perspective = 1;
-  EXPECT_TRUE(has(Component::kQ) && has(Component::kLod));
+  EXPECT_TRUE(has("q") && has("lod"));
   config.datapath = 0, config.decal = 0;
-  EXPECT_FALSE(has(Component::kU) || has(Component::kQ) || has(Component::kLod));
+  EXPECT_FALSE(has("u") || has("q") || has("lod"));
   config.lighting = 0, config.depth = 0;
-  EXPECT_EQ(component_formats(config).size(), 6u);
+  EXPECT_EQ(plane_formats(config).size(), 6u);
 }
 
 // Words 4 and 5 of docs/formats.md: three fields of F + 2 bits each.
@@ -156,21 +156,22 @@ TEST(Packet, ConstantLightVectorsLieWhereTheFormatSays) {
 TEST(Packet, CrossProductsComeFirstAndConstantsHaveOneField) {
   Config config = fixed_widths();
   config.datapath = 2, config.wide_bits = 16, config.cross_products = 0;
-  const auto first = [&](std::size_t i) { return component_formats(config).at(i); };
-  EXPECT_EQ(first(0).component, Component::kAx);
-  EXPECT_EQ(first(8).component, Component::kCz);
-  EXPECT_EQ(first(9).component, Component::kLx);
-  EXPECT_EQ(first(0).width, 18);
-  TriangleWords triangle;
-  triangle.planes[static_cast<std::size_t>(Component::kAz)].dw = -1;
-  triangle.planes[static_cast<std::size_t>(Component::kBx)].value = 5;
+  const std::vector<PlaneFormat> formats = plane_formats(config);
+  EXPECT_TRUE(formats[0].is("a", 0));
+  EXPECT_TRUE(formats[8].is("c", 2));
+  EXPECT_TRUE(formats[9].is("l", 0));
+  EXPECT_EQ(formats[0].width, 18);
+  const std::size_t a_z = 2, b_x = 3, b_y = 4;
+  TriangleWords triangle(config);
+  triangle.planes[a_z].dw = -1;
+  triangle.planes[b_x].value = 5;
   const auto scan_words = static_cast<std::size_t>(scan_word_count(config));
   // Three planes of three fields of 28 bits: B begins at bit 252 with a width of 28, or of 18 where it is constant.
   std::vector<std::uint64_t> words;
   encode(config, triangle, words);
   EXPECT_EQ(words[scan_words + 3] >> 60, 5u);
   config.cross_products = 1;
-  triangle.planes[static_cast<std::size_t>(Component::kBy)].value = 3;
+  triangle.planes[b_y].value = 3;
   words.clear();
   encode(config, triangle, words);
   EXPECT_EQ(words[scan_words + 3] >> 60, 5u);
@@ -181,7 +182,7 @@ TEST(Packet, CrossProductsComeFirstAndConstantsHaveOneField) {
 TEST(Packet, WhatIsCutShortOrOfAnotherOpcodeIsRefused) {
   const Config config = fixed_widths();
   std::vector<std::uint64_t> words;
-  encode(config, TriangleWords{}, words);
+  encode(config, TriangleWords(config), words);
   EXPECT_THROW(decode_draw(config, words), std::invalid_argument);
   words.pop_back();
   EXPECT_THROW(decode_triangle(config, words), std::invalid_argument);

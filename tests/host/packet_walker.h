@@ -78,8 +78,8 @@ inline std::vector<Texture> one_texture(int log2_width, int log2_height) {
 // A pixel as the hardware visits it, with the raw accumulators (guard bits included, modulo 2^(width + G)).
 struct Visit {
   int x, y;
-  int steps;  // pixels stepped from the anchor of the packet
-  std::array<std::int64_t, kComponents> accumulator;
+  int steps;                              // pixels stepped from the anchor of the packet
+  std::vector<std::int64_t> accumulator;  // of every plane, in packet order
 };
 
 struct EdgeWalk {
@@ -109,11 +109,11 @@ void walk_rows(const TriangleWords& t, F&& row) {
 template <class F>
 void walk(const TriangleWords& t, F&& visit) {
   EdgeWalk start{t.start}, end{t.end0};
-  std::array<std::int64_t, kComponents> row{};
-  for (std::size_t k = 0; k < row.size(); ++k) row[k] = t.planes[k].value;
+  std::vector<std::int64_t> row;
+  for (const PlaneWords& plane : t.planes) row.push_back(plane.value);
   for (int i = 0; i < t.rows; ++i) {
     if (i == t.rows_end0) end.words = t.end1;
-    std::array<std::int64_t, kComponents> value = row;
+    std::vector<std::int64_t> value = row;
     for (std::int64_t w = start.words.w; w < end.words.w; ++w) {
       const int x = static_cast<int>(t.mirror ? -1 - w : w);
       visit(Visit{x, t.y + i, static_cast<int>(std::abs(w - t.start.w)) + i, value});

@@ -1,12 +1,23 @@
 // Planes of packets, and the exact ones to hold against them.
 #pragma once
 
+#include <stdexcept>
+#include <string_view>
+
 #include "golden/triangle/exact_division.h"
 #include "tests/host/packet_walker.h"
 
 namespace wrinkle::test {
 
-constexpr std::size_t at(Component component) { return static_cast<std::size_t>(component); }
+// The position of a plane in plane_formats().
+inline std::size_t place_of(const Shape& config, std::string_view name, std::size_t element = 0) {
+  std::size_t place = 0;
+  for (const PlaneFormat& format : plane_formats(config)) {
+    if (format.is(name, element)) return place;
+    ++place;
+  }
+  throw std::logic_error("the configuration has no such plane");
+}
 
 inline DrawWords bumped(int log2_width = 6, int log2_height = 6) {
   DrawWords draw;
@@ -17,7 +28,7 @@ inline DrawWords bumped(int log2_width = 6, int log2_height = 6) {
 }
 
 // The output of an interpolator: the accumulator without its guard bits, modulo 2^width.
-inline std::int64_t code(const Config& config, const ComponentFormat& format, std::int64_t accumulator) {
+inline std::int64_t code(const Config& config, const PlaneFormat& format, std::int64_t accumulator) {
   const int unused = 64 - format.width;
   const auto top = static_cast<std::uint64_t>(accumulator >> config.guard_bits) << unused;
   return format.is_signed ? static_cast<std::int64_t>(top) >> unused : static_cast<std::int64_t>(top >> unused);

@@ -84,7 +84,7 @@ TEST(SetUp, AFrameBecomesAStreamWithItsIndex) {
   for (std::size_t i = 0; i < stream.packet_word.size(); ++i) {
     if (draws < stream.draw_word.size() && stream.draw_word[draws] == next) {
       EXPECT_EQ(decode_draw(config, std::span(stream.words).subspan(next)).bump, true);
-      next += static_cast<std::size_t>(config.draw_words());
+      next += static_cast<std::size_t>(Shape(config).draw_words);
       ++draws;
     }
     ASSERT_EQ(stream.packet_word[i], next);

@@ -8,50 +8,33 @@ namespace {
 
 using namespace test;
 
-// Whether a component is one of vectors in the place of N that are prepared at every vertex.
-bool is_prepared(const Shape& config, Component component) {
-  return config.frame_prepared != 0 && (at(component) >= at(Component::kAx) || at(component) <= at(Component::kNz));
-}
+double component(const Vec3& v, std::size_t k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
 
-// Such a component at corner i of `t`.
-double prepared_value(const Config& config, const ScreenTriangle& t, Component component, std::size_t i) {
+// A plane below 3 * frame_vectors at corner i of `t`.
+double frame_value(const Shape& config, const ScreenTriangle& t, std::size_t plane, std::size_t i) {
   const Corners corners = sort_corners(config, t);
   const std::vector<std::array<Vec3, 3>> frame = frame_corners(config, corners, bumped());
-  const std::size_t place = at(component) - at(at(component) >= at(Component::kAx) ? Component::kAx : Component::kNx);
-  const auto& vectors = frame[place / 3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (corners.v[k] != &t.v[i]) continue;
-    return place % 3 == 0 ? vectors[k].x : place % 3 == 1 ? vectors[k].y : vectors[k].z;
-  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (corners.v[k] == &t.v[i]) return component(frame[plane / 3][k], plane % 3);
   return 0;
 }
 
-std::array<double, 3> corner_values(const Config& config, const ScreenTriangle& t, Component component) {
+// Without perspective.
+std::array<double, 3> corner_values(const Shape& config, const ScreenTriangle& t, const PlaneFormat& format,
+                                    std::size_t plane) {
   std::array<double, 3> values{};
   const double margin =
       std::ldexp(1.0, std::min(std::max(config.screen_bits - config.guard_bits, 0), config.depth_bits - 3));
   for (std::size_t i = 0; i < 3; ++i) {
     const ScreenVertex& v = t.v[i];
-    if (is_prepared(config, component)) {
-      values[i] = prepared_value(config, t, component, i);
-      continue;
-    }
-    const double all[] = {
-        v.N.x,
-        v.N.y,
-        v.N.z,
-        v.L.x,
-        v.L.y,
-        v.L.z,
-        v.H.x,
-        v.H.y,
-        v.H.z,
-        v.uv.x,
-        v.uv.y,
-        0,
-        0,
-        (margin + v.z * (std::ldexp(1.0, config.depth_bits) - 1 - 2 * margin)) * std::ldexp(1.0, -config.depth_bits)};
-    values[i] = all[at(component)];
+    if (plane < 3 * static_cast<std::size_t>(config.frame_vectors)) values[i] = frame_value(config, t, plane, i);
+    if (format.name == "l") values[i] = component(v.L, format.element);
+    if (format.name == "h") values[i] = component(v.H, format.element);
+    if (format.name == "u") values[i] = v.uv.x;
+    if (format.name == "v") values[i] = v.uv.y;
+    if (format.name == "z")
+      values[i] =
+          (margin + v.z * (std::ldexp(1.0, config.depth_bits) - 1 - 2 * margin)) * std::ldexp(1.0, -config.depth_bits);
   }
   return values;
 }
@@ -66,15 +49,17 @@ struct Worst {
 void measure(const Config& config, const ScreenTriangle& t, Worst& worst) {
   const double guard = std::ldexp(1.0, config.guard_bits);
   for (const TriangleWords& packet : set_up(config, t, bumped(), config.screen_size(), config.screen_size())) {
-    for (const ComponentFormat& format : component_formats(config)) {
-      if (format.is_constant) continue;
-      const std::array<double, 3> values = corner_values(config, t, format.component);
+    const std::vector<PlaneFormat> formats = plane_formats(config);
+    for (std::size_t p = 0; p < formats.size(); ++p) {
+      const PlaneFormat& format = formats[p];
+      if (format.is_held) continue;
+      const std::array<double, 3> values = corner_values(config, t, format, p);
       std::array<std::int64_t, 3> corner{};
       for (std::size_t i = 0; i < 3; ++i) {
         corner[i] = std::llround(std::ldexp(values[i], format.fraction_bits + config.guard_bits));
       }
       walk(packet, [&](const Visit& visit) {
-        const std::int64_t output = code(config, format, visit.accumulator[at(format.component)]);
+        const std::int64_t output = code(config, format, visit.accumulator[p]);
         const double error =
             static_cast<double>(output) - plane_at(config, t, corner, visit.x, visit.y).value() / guard;
         const double bound = 0.5 + (visit.steps + 1) / (2 * guard);
@@ -125,7 +110,8 @@ TEST(SetUp, VectorsFollowThePerspective) {
   ScreenTriangle t = triangle({100, 100}, {60000, 300}, {500, 62000});
   t.v[0].q = 2, t.v[1].q = 0.5, t.v[2].q = 1;
   t.v[0].L = {0.6, 0, 0.8}, t.v[1].L = {0, 0.6, 0.8}, t.v[2].L = {-0.8, 0, 0.6};
-  const ComponentFormat format{Component::kLx, config.vector_width(), config.vector_bits, true};
+  const std::size_t l = place_of(config, "l");
+  const PlaneFormat format = plane_formats(config)[l];
   double worst = 0;
   for (const TriangleWords& packet : set_up(config, t, bumped(), 256, 256)) {
     walk(packet, [&](const Visit& visit) {
@@ -137,7 +123,7 @@ TEST(SetUp, VectorsFollowThePerspective) {
             expected + static_cast<double>(r.numerator) / static_cast<double>(r.denominator) * t.v[k].q * t.v[k].L;
       }
       const auto value = [&](std::size_t i) {
-        return static_cast<double>(code(config, format, visit.accumulator[at(Component::kLx) + i]));
+        return static_cast<double>(code(config, format, visit.accumulator[l + i]));
       };
       worst = std::max(worst, length(normalize(Vec3{value(0), value(1), value(2)}) - normalize(expected)));
     });
@@ -184,10 +170,11 @@ TEST(Extremes, E13_NoGradient) {
   const auto packets = set_up(config, t, bumped(), 1024, 1024);
   ASSERT_FALSE(packets.empty());
   for (const TriangleWords& packet : packets) {
-    for (Component c : {Component::kNx, Component::kNz, Component::kU, Component::kZ}) {
-      EXPECT_EQ(packet.planes[at(c)].dw, 0);
-      EXPECT_EQ(packet.planes[at(c)].row, 0);
-      EXPECT_EQ(packet.planes[at(c)].value, packets[0].planes[at(c)].value);
+    for (std::size_t p :
+         {place_of(config, "n", 0), place_of(config, "n", 2), place_of(config, "u"), place_of(config, "z")}) {
+      EXPECT_EQ(packet.planes[p].dw, 0);
+      EXPECT_EQ(packet.planes[p].row, 0);
+      EXPECT_EQ(packet.planes[p].value, packets[0].planes[p].value);
     }
   }
 }
@@ -229,16 +216,16 @@ TEST(Extremes, E15_TheEndsOfTheFormatAreNotCrossed) {
       for (ScreenVertex& v : t.v)
         v.z = std::abs(z - random.real(0, 1e-7)), v.q = 1 - random.real(0, 1e-7), v.uv = {0.5, 0.5};
       for (const TriangleWords& packet : set_up(config, t, bumped(), 4096, 4096)) {
-        const auto formats = component_formats(config);
+        const auto formats = plane_formats(config);
         walk(packet, [&](const Visit& visit) {
           if ((visit.x & 63) != 63 && visit.x != 0) return;
-          for (const ComponentFormat& format : formats) {
-            const double value = static_cast<double>(code(config, format, visit.accumulator[at(format.component)])) *
-                                 std::ldexp(1.0, -format.fraction_bits);
-            if (format.component == Component::kZ) {
+          for (std::size_t p = 0; p < formats.size(); ++p) {
+            const double value = static_cast<double>(code(config, formats[p], visit.accumulator[p])) *
+                                 std::ldexp(1.0, -formats[p].fraction_bits);
+            if (formats[p].name == "z") {
               ASSERT_NEAR(value, z, 0.01);
             }
-            if (format.component == Component::kQ) {
+            if (formats[p].name == "q") {
               ASSERT_GT(value, 0.99);
             }
           }
@@ -271,13 +258,13 @@ TEST(Extremes, E16_AccumulatedError) {
 TEST(Extremes, E17_MismatchAcrossASharedEdge) {
   Random random(17);
   const Config config = fixed_widths();
-  const auto value_on_edge = [&](const ScreenTriangle& t, int x, int y, Component component) {
+  const auto value_on_edge = [&](const ScreenTriangle& t, int x, int y, std::size_t p) {
     const TriangleWords packet = set_up(config, t, bumped(), 64, 64).at(0);
-    const PlaneWords& plane = packet.planes[at(component)];
+    const PlaneWords& plane = packet.planes[p];
     const std::int64_t w = packet.mirror ? -1 - x : x;
     const std::int64_t dy = plane.row - packet.start.step * plane.dw;
     const std::int64_t value = plane.value + (w - packet.start.w) * plane.dw + (y - packet.y) * dy;
-    return code(config, {component, config.vector_width(), config.vector_bits, true}, value);
+    return code(config, plane_formats(config)[p], value);
   };
   for (int i = 0; i < 300; ++i) {
     // The shared edge runs through pixel centres.
@@ -288,8 +275,8 @@ TEST(Extremes, E17_MismatchAcrossASharedEdge) {
     right.v[2].x = 17000 - right.v[2].x;
     right.v[2].N = random.unit_vector();
     for (int y = 3; y < 58; ++y) {
-      for (Component c : {Component::kNx, Component::kNy, Component::kNz}) {
-        ASSERT_LE(std::abs(value_on_edge(left, 32, y, c) - value_on_edge(right, 32, y, c)), 1);
+      for (std::size_t p = place_of(config, "n"); p < place_of(config, "l"); ++p) {
+        ASSERT_LE(std::abs(value_on_edge(left, 32, y, p) - value_on_edge(right, 32, y, p)), 1);
       }
     }
   }

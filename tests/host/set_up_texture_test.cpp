@@ -114,10 +114,8 @@ TEST(SetUp, PerspectivePlanesDivideToTheTexture) {
   Random random(9);
   Config config = fixed_widths();
   config.perspective = 1;
-  const auto formats = component_formats(config);
-  const auto format_of = [&](Component c) {
-    return *std::find_if(formats.begin(), formats.end(), [c](const ComponentFormat& f) { return f.component == c; });
-  };
+  const auto formats = plane_formats(config);
+  const std::size_t u = place_of(config, "u"), q_place = place_of(config, "q");
   double worst = 0;
   for (int i = 0; i < 200; ++i) {
     ScreenTriangle t = triangle({static_cast<int>(random.integer(0, 60000)), 100},
@@ -125,9 +123,9 @@ TEST(SetUp, PerspectivePlanesDivideToTheTexture) {
     randomize_attributes(random, t);
     for (const TriangleWords& packet : set_up(config, t, bumped(), 256, 256)) {
       walk(packet, [&](const Visit& visit) {
-        const auto value = [&](Component c) {
-          return std::ldexp(static_cast<double>(code(config, format_of(c), visit.accumulator[at(c)])),
-                            -format_of(c).fraction_bits);
+        const auto value = [&](std::size_t p) {
+          return std::ldexp(static_cast<double>(code(config, formats[p], visit.accumulator[p])),
+                            -formats[p].fraction_bits);
         };
         double sum_q = 0, sum_uq = 0;
         const std::array<std::int64_t, 3> unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -136,10 +134,10 @@ TEST(SetUp, PerspectivePlanesDivideToTheTexture) {
           const double b = static_cast<double>(r.numerator) / static_cast<double>(r.denominator);
           sum_q += b * t.v[k].q, sum_uq += b * t.v[k].q * t.v[k].uv.x;
         }
-        const double q = value(Component::kQ);
+        const double q = value(q_place);
         // u*q and q each within one LSB of 2^-18.
         const double bound = std::ldexp(1 + std::abs(sum_uq / sum_q), -18) / q;
-        worst = std::max(worst, std::abs(value(Component::kU) / q - sum_uq / sum_q) / bound);
+        worst = std::max(worst, std::abs(value(u) / q - sum_uq / sum_q) / bound);
       });
     }
   }
@@ -153,15 +151,17 @@ TEST(Extremes, E46_RangeOfW) {
   ScreenTriangle t = triangle({100, 100}, {60000, 300}, {500, 62000});
   for (ScreenVertex& v : t.v) v.q = 3, v.uv = {0.25, 0.5};
   // Equal w: q is constant, just below 1.
-  const auto equal = set_up(config, t, bumped(), 256, 256).at(0).planes[at(Component::kQ)];
+  const std::size_t place = place_of(config, "q");
+  const PlaneFormat format = plane_formats(config)[place];
+  const auto equal = set_up(config, t, bumped(), 256, 256).at(0).planes[place];
   EXPECT_EQ(equal.dw, 0);
   EXPECT_EQ(equal.row, 0);
-  EXPECT_EQ(code(config, {Component::kQ, 18, 18, false}, equal.value), (1 << 18) - 1);
+  EXPECT_EQ(code(config, format, equal.value), (1 << 18) - 1);
   // A ratio of 2^15: q stays positive everywhere.
   t.v[0].q = std::ldexp(1.0, 15), t.v[1].q = t.v[2].q = 1;
   for (const TriangleWords& packet : set_up(config, t, bumped(), 256, 256)) {
     walk(packet, [&](const Visit& visit) {
-      const auto q = code(config, {Component::kQ, 18, 18, false}, visit.accumulator[at(Component::kQ)]);
+      const auto q = code(config, format, visit.accumulator[place]);
       ASSERT_GE(q, 1);
       ASSERT_LE(visit.x + visit.y > 220 ? q : 0, 1 << 16) << "q was carried round";
     });
@@ -186,7 +186,9 @@ TEST(SetUp, LevelOfDetailIsAPlaneThroughItsCornersWithPerspective) {
     v.q = q_at(x, y), v.uv = {u_at(x, y), v_at(x, y)};
   }
   const TriangleWords packet = set_up(config, t, bumped(8, 7), 128, 128).at(0);
-  const PlaneWords& plane = packet.planes[at(Component::kLod)];
+  const std::size_t place = place_of(config, "lod");
+  const PlaneFormat format = plane_formats(config)[place];
+  const PlaneWords& plane = packet.planes[place];
   for (const ScreenVertex& v : t.v) {
     const double x = v.x / 256.0, y = v.y / 256.0, h = 1e-4;
     const auto rate = [&](double dx, double dy) {
@@ -198,8 +200,7 @@ TEST(SetUp, LevelOfDetailIsAPlaneThroughItsCornersWithPerspective) {
     const std::int64_t w = packet.mirror ? -1 - (v.x >> 8) : v.x >> 8;
     const std::int64_t dy = plane.row - packet.start.step * plane.dw;
     const std::int64_t value = plane.value + (w - packet.start.w) * plane.dw + ((v.y >> 8) - packet.y) * dy;
-    EXPECT_NEAR(std::ldexp(static_cast<double>(code(config, {Component::kLod, 11, 5, true}, value)), -5), level,
-                0.55 / 32);
+    EXPECT_NEAR(std::ldexp(static_cast<double>(code(config, format, value)), -5), level, 0.55 / 32);
   }
 }
 

@@ -103,6 +103,29 @@ TEST(Aov, VectorsOfMantissasHaveUnitLength) {
   EXPECT_LT(worst, std::ldexp(1.0, -config.unit_bits));
 }
 
+// The map of a datapath has a channel as every other value has, of golden and of its float64 twin.
+TEST(Aov, ValuesOfADatapathHaveChannels) {
+  const Config config = load_config("offset");
+  const Frame frame = build_frame(config, scene_named("patch_offset"));
+  const std::vector<AovChannel> channels =
+      aov_channels(config, {"texture_offset", "interpolate_l", "perturb_n", "lod", "z"});
+  ASSERT_EQ(channels.size(), 2u + 3 + 3 + 1 + 1);
+  EXPECT_EQ(channels[1].name, "texture_offset.y");
+  const Picture golden = drawn(Engine::kGolden, config, frame, channels).all_channels();
+  const Picture exact = drawn(Engine::kExact, config, frame, channels).all_channels();
+  ASSERT_EQ(golden.data.size(), exact.data.size());
+  const std::size_t stride = 3 + channels.size();
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    double worst = 0, largest = 0;
+    for (std::size_t i = 3 + k; i < golden.data.size(); i += stride) {
+      worst = std::max(worst, double(std::abs(golden.data[i] - exact.data[i])));
+      largest = std::max(largest, double(std::abs(exact.data[i])));
+    }
+    EXPECT_GT(largest, 0.01) << channels[k].name;
+    EXPECT_LT(worst, 0.07) << channels[k].name;  // of a level of detail, two of its LSB
+  }
+}
+
 double difference(std::size_t count, const Replay::Colours& a, const Replay::Colours& b) {
   double worst = 0;
   for (std::size_t i = 0; i < count; ++i) worst = std::max(worst, length(a[i] - b[i]));
@@ -152,10 +175,10 @@ TEST_P(Replays, StagesKeepTheirBounds) {
   for (const PartError& part : report.parts) {
     EXPECT_LE(part.ulp.rms, part.ulp.max) << part.name;
     if (part.name == "dot" && !config.is(Lighting::kReflection)) {
-      EXPECT_LE(part.ulp.max, config.normalizes_after() ? 2.625 : .5 + 1e-9);
+      EXPECT_LE(part.ulp.max, Shape(config).normalizes_after != 0 ? 2.625 : .5 + 1e-9);
     }
     if (part.name == "normalizer" && !config.is(Lighting::kPixelHalfangle)) {
-      EXPECT_LT(part.ulp.max, config.normalizes_after() ? 3 : 1);
+      EXPECT_LT(part.ulp.max, Shape(config).normalizes_after != 0 ? 3 : 1);
     }
     if (part.name == "interpolators") {
       EXPECT_LT(part.ulp.max, 2);

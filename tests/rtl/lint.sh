@@ -2,12 +2,15 @@
 # Lint gates of the Verilog: Verilator -Wall, Icarus -g2005 -Wall and Yosys, without waivers, for the core in very
 # different configurations, for every stage alone, and for illegal configurations, which must not elaborate.
 # One line a check; exit 1 with the tool's message at the first that fails.
-#   lint.sh [FILTER]     only the checks whose line contains FILTER
+#   lint.sh CONFIGURATIONS [FILTER]     only the checks whose line contains FILTER
+# CONFIGURATIONS is the program of configurations.cpp, which draws those of the core.
 set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
-filter=${1:-}
+filter=${2:-}
 log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+list=$(mktemp)
+trap 'rm -f "$log" "$list"' EXIT
+"$1" >"$list" || exit 1
 
 libraries="" sources=""
 for folder in rtl rtl/stage rtl/perturb rtl/unit rtl/lib; do
@@ -83,79 +86,11 @@ all_three() { # NAME [NAME=VALUE...]
   check "yosys     core: $configuration" yosys_check wrinkle_core "$@"
 }
 
-all_three "default"
-all_three "phong, nothing that can be left out" \
-  DATAPATH=0 LIGHTING=0 NORMALIZER_N=0 NORMALIZER_L=0 SELF_SHADOW=0 DEPTH=0 CHANNELS=0 UNIT_BITS=6 DOT_BITS=12 \
-  POWER_BITS=12
-all_three "phong, smallest" \
-  DATAPATH=0 LIGHTING=0 FILTER=0 CHANNELS=0 DEPTH=0 SELF_SHADOW=2 SCREEN_BITS=4 SUBPIXEL_BITS=2 GUARD_BITS=2 \
-  VECTOR_BITS=5 UNIT_BITS=6 DOT_BITS=6 POWER_BITS=6 COLOUR_BITS=4 SPECULAR_SQUARINGS=0 TEXTURE_FIFO_BITS=1
-all_three "everything, largest" \
-  PERSPECTIVE=1 DECAL=1 SELF_SHADOW=2 SCREEN_BITS=12 GUARD_BITS=14 VECTOR_BITS=18 UV_INTEGER_BITS=10 UV_BITS=24 \
-  Q_BITS=21 RECIPROCAL_BITS=20 LOD_BITS=8 TEXEL_BITS=10 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18 SPECULAR_SQUARINGS=8 \
-  COLOUR_BITS=12 DEPTH_BITS=24 TEXTURE_FIFO_BITS=8
-all_three "everything, smallest" \
-  PERSPECTIVE=1 DECAL=1 DECODE=1 SCREEN_BITS=4 SUBPIXEL_BITS=2 GUARD_BITS=2 VECTOR_BITS=5 UV_INTEGER_BITS=1 UV_BITS=8 \
-  Q_BITS=8 RECIPROCAL_BITS=8 LOD_BITS=0 WEIGHT_BITS=1 TEXEL_BITS=4 UNIT_BITS=6 DOT_BITS=6 POWER_BITS=6 \
-  SPECULAR_SQUARINGS=0 COLOUR_BITS=4 DEPTH_BITS=8 TEXTURE_FIFO_BITS=1
-all_three "nearest, decal on an interpolated normal, one channel" \
-  DATAPATH=0 DECAL=1 FILTER=0 CHANNELS=0 PERSPECTIVE=1 Q_BITS=8 RECIPROCAL_BITS=20 NORMALIZER_N=0 NORMALIZER_H=0 \
-  VECTOR_BITS=18 UNIT_BITS=10
-all_three "bilinear, diffuse, one normalizer" \
-  LIGHTING=0 FILTER=1 NORMALIZER_L=0 SELF_SHADOW=2 VECTOR_BITS=5 UNIT_BITS=16 DOT_BITS=6 DECODE=1 UV_BITS=8 \
-  WEIGHT_BITS=8
-all_three "trilinear with whole levels" LOD_BITS=0 UNIT_BITS=12 POWER_BITS=18 SPECULAR_SQUARINGS=0 DEPTH=0
-all_three "blinn" DATAPATH=2
-all_three "blinn, everything, largest" \
-  DATAPATH=2 PERSPECTIVE=1 DECAL=1 SELF_SHADOW=2 LIGHTING=3 SCREEN_BITS=12 GUARD_BITS=14 VECTOR_BITS=18 WIDE_BITS=22 \
-  GRADIENT_BITS=12 UV_INTEGER_BITS=10 UV_BITS=24 Q_BITS=21 RECIPROCAL_BITS=20 LOD_BITS=8 TEXEL_BITS=10 UNIT_BITS=16 \
-  DOT_BITS=16 POWER_BITS=18 SPECULAR_SQUARINGS=8 COLOUR_BITS=12 DEPTH_BITS=24 TEXTURE_FIFO_BITS=8
-all_three "blinn, cross products held, smallest" \
-  DATAPATH=2 CROSS_PRODUCTS=1 LIGHTING=2 FILTER=0 CHANNELS=0 DEPTH=0 SELF_SHADOW=0 SCREEN_BITS=4 SUBPIXEL_BITS=2 \
-  GUARD_BITS=2 VECTOR_BITS=5 WIDE_BITS=8 GRADIENT_BITS=12 UV_INTEGER_BITS=1 UV_BITS=8 TEXEL_BITS=4 UNIT_BITS=6 \
-  DOT_BITS=6 POWER_BITS=6 COLOUR_BITS=4 SPECULAR_SQUARINGS=0 TEXTURE_FIFO_BITS=1
-all_three "blinn, cross products held, constant light" \
-  DATAPATH=2 CROSS_PRODUCTS=1 LIGHT_VECTORS=1 FILTER=1 GRADIENT_BITS=6
-all_three "rotated" DATAPATH=3
-all_three "rotated, reflection, decal" DATAPATH=3 LIGHTING=2 DECAL=1 SELF_SHADOW=2 UNIT_BITS=6 DOT_BITS=12
-all_three "rotated, half-angle at every pixel" DATAPATH=3 LIGHTING=3 SELF_SHADOW=0 PERSPECTIVE=1
-all_three "rotated, diffuse, no normalizer" DATAPATH=3 LIGHTING=0 NORMALIZER_L=0 DEPTH=0
-all_three "compact normalizers" NORMALIZER_N=2 NORMALIZER_L=2 NORMALIZER_H=2
-all_three "lite and near normalizers, vectors wider" NORMALIZER_N=3 NORMALIZER_L=4 NORMALIZER_H=4 UNIT_BITS=6 VECTOR_BITS=18
-all_three "compact and near normalizers, vectors narrower" \
-  NORMALIZER_N=2 NORMALIZER_L=4 NORMALIZER_H=3 UNIT_BITS=16 VECTOR_BITS=5
-all_three "compact normalizers of wide vectors" \
-  DATAPATH=2 WIDE_BITS=22 GRADIENT_BITS=12 NORMALIZER_N=2 LIGHTING=3 NORMALIZER_H=2 NORMALIZER_L=4
-all_three "constant light" LIGHT_VECTORS=1
-all_three "constant light, diffuse" LIGHT_VECTORS=1 LIGHTING=0 DATAPATH=0
-all_three "constant light, reflection, perspective" LIGHT_VECTORS=1 LIGHTING=2 PERSPECTIVE=1 DECAL=1
-all_three "constant light, half-angle at every pixel" LIGHT_VECTORS=1 LIGHTING=3 NORMALIZER_N=0
-all_three "reflection" LIGHTING=2
-all_three "reflection, widest dots, no normalizers" \
-  LIGHTING=2 NORMALIZER_N=0 NORMALIZER_L=0 NORMALIZER_H=0 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
-all_three "half-angle at every pixel" LIGHTING=3
-all_three "half-angle at every pixel, one normalizer" LIGHTING=3 NORMALIZER_N=0 NORMALIZER_L=0
-all_three "shared" SHARING=1
-all_three "single" BUFFERING=1
-all_three "single, perspective, decal" BUFFERING=1 PERSPECTIVE=1 DECAL=1
-all_three "single, blinn, cross products held" BUFFERING=1 DATAPATH=2 CROSS_PRODUCTS=1 LIGHT_VECTORS=1
-all_three "shared and single, no self-shadow, squarers used twice" \
-  SHARING=1 BUFFERING=1 SELF_SHADOW=0 SPECULAR_SQUARINGS=4 DEPTH=0 DECAL=1
-all_three "shared and single, phong, no power" SHARING=1 BUFFERING=1 DATAPATH=0 SELF_SHADOW=2 SPECULAR_SQUARINGS=0
-all_three "shared, largest" SHARING=1 SPECULAR_SQUARINGS=8 VECTOR_BITS=18 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18
-
-all_three "normalized after" NORMALIZE_ORDER=1 SELF_SHADOW=0
-all_three "normalized after, diffuse, V < F" \
-  NORMALIZE_ORDER=1 SELF_SHADOW=0 LIGHTING=0 DATAPATH=0 VECTOR_BITS=5 UNIT_BITS=15 DOT_BITS=6 POWER_BITS=6
-all_three "normalized after, V > F" \
-  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=18 UNIT_BITS=6 DOT_BITS=12 PERSPECTIVE=1
-all_three "normalized after, largest" \
-  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=18 UNIT_BITS=16 DOT_BITS=16 POWER_BITS=18 SPECULAR_SQUARINGS=8
-all_three "normalized after, smallest" \
-  NORMALIZE_ORDER=1 SELF_SHADOW=0 VECTOR_BITS=5 UNIT_BITS=6 DOT_BITS=6 POWER_BITS=6 SPECULAR_SQUARINGS=0
-all_three "normalized after, smallest dots of the longest vectors" \
-  NORMALIZE_ORDER=1 SELF_SHADOW=0 DATAPATH=2 WIDE_BITS=22 UNIT_BITS=16 DOT_BITS=6 POWER_BITS=6
-all_three "normalized after, blinn, diffuse" NORMALIZE_ORDER=1 SELF_SHADOW=0 DATAPATH=2 LIGHTING=0
+# The first line, which is empty, is the default.
+while read -r settings; do
+  # shellcheck disable=SC2086
+  all_three "${settings:-default}" $settings
+done <"$list"
 
 # Every module of a stage alone, with the widths it has where nobody gives others.
 for file in "$root"/rtl/stage/*.v "$root"/rtl/perturb/*.v; do

@@ -66,9 +66,9 @@ TEST(Config, RulesOfTheRivals) {
   EXPECT_EQ(check(with({{&Config::datapath, 3}, {&Config::light_vectors, 1}})).key, "light_vectors");
   EXPECT_EQ(check(with({{&Config::datapath, 2}, {&Config::light_vectors, 1}})).key, "");
   const Config blinn = with({{&Config::datapath, 2}});
-  EXPECT_EQ(blinn.texel_components(), 2);
-  EXPECT_EQ(blinn.normal_vector_width(), blinn.wide_bits + 3);
-  EXPECT_EQ(with({{&Config::light_vectors, 1}}).draw_words(), 6);
+  EXPECT_EQ(Shape(blinn).texels, 2);
+  EXPECT_EQ(Shape(blinn).normal_width, blinn.wide_bits + 3);
+  EXPECT_EQ(Shape(with({{&Config::light_vectors, 1}})).draw_words, 6);
 }
 
 // One unit in turn: three vectors, one kind of normalizer, and a highlight by H. Buffering is free.

@@ -10,7 +10,7 @@ __extension__ using Int128 = __int128;
 
 // A packet of random planes over a random parallelogram: whatever the bits, the value is the contract's formula.
 TriangleWords random_packet(const Config& config, Random& random) {
-  TriangleWords t;
+  TriangleWords t(config);
   t.y = static_cast<int>(uniform(random, 0, 3));
   t.rows = t.rows_end0 = static_cast<int>(uniform(random, 1, 10));
   const std::int64_t start = uniform(random, 0, 2), length = uniform(random, 1, 14);
@@ -18,26 +18,25 @@ TriangleWords random_packet(const Config& config, Random& random) {
   const std::int64_t remainder = uniform(random, -denominator, -1);
   t.start = {start, 0, remainder, carry, denominator};
   t.end0 = {start + length, 0, remainder, carry, denominator};
-  for (const ComponentFormat& format : component_formats(config)) {
+  for (std::size_t p = 0; const PlaneFormat& format : plane_formats(config)) {
     const std::int64_t limit = std::int64_t{1} << (format.width + config.guard_bits - 1);
-    auto& plane = t.planes[static_cast<std::size_t>(format.component)];
-    if (format.is_constant) {
+    PlaneWords& plane = t.planes[p++];
+    if (format.is_held) {
       plane.value = pattern(random, {-limit >> config.guard_bits, (limit >> config.guard_bits) - 1});
       continue;
     }
     plane = {pattern(random, {-limit, limit - 1}), pattern(random, {-limit, limit - 1}),
              pattern(random, {-limit, limit - 1})};
   }
-  if (config.has_texture() && config.perspective == 0)
-    t.lod = static_cast<int>(uniform(random, 0, (16 << config.lod_fraction_bits()) - 1));
+  if (Shape(config).textured != 0 && config.perspective == 0)
+    t.lod = static_cast<int>(uniform(random, 0, (16 << Shape(config).lod_fraction_bits) - 1));
   return t;
 }
 
 // The value of a plane at a pixel by the formula, in wide integers, w the walk coordinate.
-std::int64_t expected(const Config& config, const ComponentFormat& format, const TriangleWords& t, std::int64_t w,
-                      std::int64_t y) {
-  const PlaneWords& plane = t.planes[static_cast<std::size_t>(format.component)];
-  if (format.is_constant) return plane.value;
+std::int64_t expected(const Config& config, const PlaneFormat& format, const PlaneWords& plane, const TriangleWords& t,
+                      std::int64_t w, std::int64_t y) {
+  if (format.is_held) return plane.value;
   EdgeWords edge = t.start;  // the start of the row, and the carries on the way
   Int128 value = plane.value;
   for (std::int64_t row = t.y; row < y; ++row) {
@@ -54,14 +53,11 @@ std::int64_t expected(const Config& config, const ComponentFormat& format, const
   return format.is_signed ? static_cast<std::int64_t>(wrapped) >> down : static_cast<std::int64_t>(wrapped >> down);
 }
 
-std::int64_t got(const FragmentValues& values_of, const std::vector<Value>& list, Component component) {
-  static constexpr std::string_view kNames[] = {"n",   "n", "n", "l", "l", "l", "h", "h", "h", "u", "v", "q",
-                                                "lod", "z", "a", "a", "a", "b", "b", "b", "c", "c", "c"};
-  static constexpr std::size_t kElements[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 0, 0, 0, 0, 0, 1, 2, 0, 1, 2, 0, 1, 2};
-  const auto c = static_cast<std::size_t>(component);
+std::int64_t got(const FragmentValues& values_of, const std::vector<Value>& list, std::string_view name,
+                 std::size_t element) {
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (list[i].stage == "interpolate" && list[i].name == kNames[c]) return values_of[i][kElements[c]];
-  return 0;
+    if (list[i].stage == "interpolate" && list[i].name == name) return values_of[i][element];
+  throw std::logic_error("interpolate hands on no such value");
 }
 
 TEST(Interpolate, IsTheFormulaModuloTheWidth) {
@@ -69,7 +65,7 @@ TEST(Interpolate, IsTheFormulaModuloTheWidth) {
   for (const auto& [name, config] : configurations(30)) {
     SCOPED_TRACE(name);
     const auto list = values(config);
-    const auto formats = component_formats(config);
+    const auto formats = plane_formats(config);
     Context context = make_context(config);
     for (int round = 0; round < 12; ++round) {
       const TriangleWords t = random_packet(config, random);
@@ -84,11 +80,12 @@ TEST(Interpolate, IsTheFormulaModuloTheWidth) {
             extract(batch, i, all);
             const auto x = batch.scan_x[0][static_cast<std::size_t>(i)],
                        y = batch.scan_y[0][static_cast<std::size_t>(i)];
-            for (const ComponentFormat& format : formats)
-              ASSERT_EQ(got(all, list, format.component), expected(config, format, t, x, y))
-                  << "component " << static_cast<int>(format.component) << " at " << x << ' ' << y;
-            if (config.has_texture() && config.perspective == 0) {
-              ASSERT_EQ(got(all, list, Component::kLod), t.lod);
+            for (std::size_t p = 0; p < formats.size(); ++p)
+              ASSERT_EQ(got(all, list, formats[p].name, formats[p].element),
+                        expected(config, formats[p], t.planes[p], t, x, y))
+                  << formats[p].name << '[' << formats[p].element << "] at " << x << ' ' << y;
+            if (Shape(config).textured != 0 && config.perspective == 0) {
+              ASSERT_EQ(got(all, list, "lod", 0), t.lod);
             }
           }
         };

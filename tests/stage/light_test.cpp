@@ -18,20 +18,19 @@ Vec3 real(Columns<std::int64_t> columns, std::size_t i, int fraction_bits) {
 TEST(Light, LanesAgree) { expect_lanes_agree(kLight, 8); }
 
 // The vector times its scale, where it has one.
-Vec3 real(const Config& config, const Batch64& batch, Columns<std::int64_t> columns, std::size_t k, std::size_t i) {
+Vec3 real(const Shape& config, const Batch64& batch, Columns<std::int64_t> columns, std::size_t k, std::size_t i) {
   const Vec3 v = real(columns, i, config.unit_bits);
-  return config.normalizes_after()
-             ? std::ldexp(static_cast<double>(batch.normalize_scale[k][i]), -config.scale_bits()) * v
+  return config.normalizes_after != 0
+             ? std::ldexp(static_cast<double>(batch.normalize_scale[k][i]), -config.scale_bits) * v
              : v;
 }
 
 // Of N.L and N.H in ulp of u1.DF: half for the result, and where it is scaled, half of the dot product by the scales
 // and the other way round.
-double dot_bound(const Config& config, const Batch64& batch, Columns<std::int64_t> other, std::size_t k,
-                 std::size_t i) {
-  if (!config.normalizes_after()) return 0.5;
+double dot_bound(const Shape& config, const Batch64& batch, Columns<std::int64_t> other, std::size_t k, std::size_t i) {
+  if (config.normalizes_after == 0) return 0.5;
   const auto scale = [&](std::size_t e) {
-    return std::ldexp(static_cast<double>(batch.normalize_scale[e][i]), -config.scale_bits());
+    return std::ldexp(static_cast<double>(batch.normalize_scale[e][i]), -config.scale_bits);
   };
   const double cosine = dot(real(batch.normalize_n, i, config.unit_bits), real(other, i, config.unit_bits));
   return 0.5 + (scale(0) * scale(k) + std::abs(cosine)) / 2 + std::ldexp(1.0, -config.dot_bits - 2);
@@ -66,11 +65,13 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
     const bool shadowed = draw.shadow && config.self_shadow != 0;
     const double one = std::ldexp(1.0, config.dot_bits);
     for (std::size_t i = 0; i < kBatch; ++i) {
-      const Vec3 n = real(config, *batch, batch->normalize_n, 0, i), l = real(config, *batch, batch->normalize_l, 1, i),
-                 h = config.has_specular() ? real(config, *batch, batch->normalize_h, 2, i) : Vec3{};
-      const bool after = config.normalizes_after();
-      const double nl_bound = dot_bound(config, *batch, batch->normalize_l, 1, i);
-      const double nh_bound = config.has_specular() ? dot_bound(config, *batch, batch->normalize_h, 2, i) : 0;
+      const Vec3 n = real(context.config, *batch, batch->normalize_n, 0, i),
+                 l = real(context.config, *batch, batch->normalize_l, 1, i),
+                 h = context.config.glossy != 0 ? real(context.config, *batch, batch->normalize_h, 2, i) : Vec3{};
+      const bool after = context.config.normalizes_after != 0;
+      const double nl_bound = dot_bound(context.config, *batch, batch->normalize_l, 1, i);
+      const double nh_bound =
+          context.config.glossy != 0 ? dot_bound(context.config, *batch, batch->normalize_h, 2, i) : 0;
       DrawWords words = draw;
       words.shadow = shadowed;
       const exact::Lit lit = exact::light(config, words, n, l, h, l.z);
@@ -86,7 +87,7 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
         smooth.see(error);
       else if (!after && (!shadowed || !draw.bump || !at_edge))
         diffuse.see(error);
-      if (!config.has_specular()) continue;
+      if (context.config.glossy == 0) continue;
       const double nh_error = got(batch->light_nh) - one * lit.nh;
       if (config.is(Lighting::kReflection)) {
         // N.L and N.E are rounded to s1.F before they are multiplied, which moves R.E by at most 2^(1-F).

@@ -23,11 +23,11 @@ TEST(Output, ColourStaysWithinItsBound) {
     batch = run_one(context, kOutput, std::move(batch));
     const double full = (1 << config.colour_bits) - 1;
     const auto unit = [&](int code) { return std::ldexp(code, -config.colour_bits); };
-    for (std::size_t k = 0; k < static_cast<std::size_t>(config.channel_count()); ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(context.config.count); ++k) {
       for (std::size_t i = 0; i < kBatch; ++i) {
         exact::Lit lit;
         lit.diffuse = std::ldexp(static_cast<double>(batch->light_diffuse[0][i]), -config.dot_bits);
-        if (config.has_specular())
+        if (context.config.glossy != 0)
           lit.specular = std::ldexp(static_cast<double>(batch->light_specular[0][i]), -config.power_bits);
         const double code =
             config.decal == 0 ? 1 : static_cast<double>(batch->texture_decal[k][i]) / ((1 << config.texel_bits) - 1);

@@ -29,7 +29,7 @@ TEST(Perspective, QuotientStaysWithinItsBound) {
     config.q_bits = std::min(config.q_bits, config.reciprocal_bits + 1);
     ASSERT_EQ(check(config).key, "");
     const Context context = make_context(config);
-    const std::int64_t limit = std::int64_t{1} << (config.uv_width() - 1);
+    const std::int64_t limit = std::int64_t{1} << (Shape(config).uv_width - 1);
     for (int i = 0; i < 40; ++i) {
       const std::int64_t q = pattern(random, {1, (std::int64_t{1} << config.q_bits) - 1});
       const std::int64_t uq = pattern(random, {-limit, limit - 1});

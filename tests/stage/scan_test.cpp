@@ -85,7 +85,7 @@ TEST(Scan, BatchesAreFull) {
 // A packet written by hand: both end edges, remainders, mirroring, an empty first row.
 TEST(Scan, FollowsThePacket) {
   const Config config;
-  TriangleWords t;
+  TriangleWords t(config);
   t.y = 5;
   t.rows = 4;
   t.rows_end0 = 2;
@@ -110,7 +110,7 @@ TEST(Scan, FollowsThePacket) {
 TEST(Scan, RejectsWordsCutShort) {
   const Config config;
   std::vector<std::uint64_t> words;
-  encode(config, TriangleWords{}, words);
+  encode(config, TriangleWords(config), words);
   words.pop_back();
   EXPECT_THROW(Golden(config, {}).draw(words, {}), std::invalid_argument);
 }

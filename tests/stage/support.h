@@ -126,10 +126,10 @@ inline std::vector<NamedConfig> configurations(int random_count = 12) {
 struct Range {
   std::int64_t low, high;
 };
-inline Range range_of(const Config& config, const Value& value) {
+inline Range range_of(const Shape& config, const Value& value) {
   const auto up_to = [](int bits) { return std::int64_t{1} << bits; };
   if (value.stage == "light") return {0, up_to(value.fraction_bits)};
-  if (value.stage == "normalize" && config.normalizes_after() && value.is_signed)
+  if (value.stage == "normalize" && config.normalizes_after != 0 && value.is_signed)
     return {1 - up_to(value.fraction_bits), up_to(value.fraction_bits) - 1};
   if (value.stage == "normalize" && value.is_signed) {
     const int normalizer = value.name == "n"   ? config.normalizer_n
@@ -163,10 +163,10 @@ void fill(const Config& config, std::uint64_t seed, Batch<Int>& batch) {
 }
 
 // Draw states of all kinds.
-inline DrawWords random_draw(const Config& config, Random& random) {
+inline DrawWords random_draw(const Shape& config, Random& random) {
   DrawWords draw;
-  draw.bump = Shape(config).bump_components != 0 && uniform(random, 0, 2) != 0;
-  draw.textured = config.has_texture() && (draw.bump || config.decal != 0);
+  draw.bump = config.bump_components != 0 && uniform(random, 0, 2) != 0;
+  draw.textured = config.textured != 0 && (draw.bump || config.decal != 0);
   draw.shadow = uniform(random, 0, 1) != 0;
   draw.exponent_zero = uniform(random, 0, 7) == 0;
   draw.wrap_u = static_cast<int>(uniform(random, 0, 2));
@@ -175,7 +175,7 @@ inline DrawWords random_draw(const Config& config, Random& random) {
   draw.log2_height = static_cast<int>(uniform(random, 0, 6));
   draw.max_level = static_cast<int>(uniform(random, 0, std::max(draw.log2_width, draw.log2_height)));
   draw.squarings = static_cast<int>(uniform(random, 0, config.specular_squarings));
-  if (!config.has_light_planes())
+  if (config.has_light_planes == 0)
     for (auto* vector : {&draw.l, &draw.h})
       for (int& component : *vector)
         component = static_cast<int>(pattern(random, {-(1 << config.unit_bits), 1 << config.unit_bits}));
@@ -184,11 +184,11 @@ inline DrawWords random_draw(const Config& config, Random& random) {
   return draw;
 }
 
-inline Texture random_texture(const Config& config, const DrawWords& draw, Random& random) {
+inline Texture random_texture(const Shape& config, const DrawWords& draw, Random& random) {
   Texture texture;
   texture.log2_width = draw.log2_width;
   texture.log2_height = draw.log2_height;
-  texture.components = config.texel_components();
+  texture.components = config.texels;
   texture.component_bits = config.texel_bits;
   for (int level = 0; level <= draw.max_level; ++level) {
     auto& texels = texture.levels.emplace_back();

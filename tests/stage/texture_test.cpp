@@ -47,7 +47,7 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
       decal("texture decal, share of 2^-B + ulp/2", 1);
   std::uint64_t seed = base_seed();
   for (auto [name, config] : configurations(60)) {
-    if (!config.has_texture()) continue;
+    if (Shape(config).textured == 0) continue;
     Random random(++seed);
     SCOPED_TRACE(name + ", seed " + std::to_string(seed));
     DrawWords draw = random_draw(config, random);
@@ -65,13 +65,13 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
     batch = run_one(context, kTexture, std::move(batch));
     const auto& u = config.perspective != 0 ? batch->perspective_u[0] : batch->interpolate_u[0];
     const auto& v = config.perspective != 0 ? batch->perspective_v[0] : batch->interpolate_v[0];
-    const int b = config.weight_fraction_bits();
+    const int b = context.config.weight_fraction_bits;
     const double weight_error = b == 0 ? 0 : std::ldexp(1.0, -b);
     const double bump_ulp = std::ldexp(1.0, -context.config.bump_fraction),
                  decal_ulp = std::ldexp(1.0, -config.texel_bits);
     for (std::size_t i = 0; i < kBatch; ++i) {
       const auto real = [](std::int64_t x, int bits) { return std::ldexp(static_cast<double>(x), -bits); };
-      double lod = real(batch->interpolate_lod[0][i], config.lod_fraction_bits());
+      double lod = real(batch->interpolate_lod[0][i], context.config.lod_fraction_bits);
       // Without a trilinear filter the level of detail is a whole level already.
       const exact::Sample want =
           exact::sample(config, draw, exact_texture, {real(u[i], config.uv_bits), real(v[i], config.uv_bits)}, lod);

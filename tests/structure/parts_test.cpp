@@ -25,12 +25,12 @@ struct Stage {
       false;  // takes words apart: it has no pixels, rounds nothing, and is golden/triangle to the host
 };
 
-// WRINKLE_STAGE(name, Name, moves): what moves no fragment comes before there are any.
+// WRINKLE_STAGE(name, Name, moves, latency): what moves no fragment comes before there are any.
 std::vector<Stage> stages_of(const fs::path& root) {
   const std::string list = without_comments(text_of(root / "golden/stages.def"));
   std::vector<Stage> stages;
   for (const std::string& name : matches(list, "\\bWRINKLE_STAGE\\((\\w+)"))
-    stages.push_back({name, !matches(list, "\\b(WRINKLE_STAGE)\\(" + name + ",[^,]*, 0\\)").empty()});
+    stages.push_back({name, !matches(list, "\\b(WRINKLE_STAGE)\\(" + name + ",[^,]*, 0,").empty()});
   return stages;
 }
 
@@ -125,6 +125,12 @@ class Scratch : public testing::Test {
   fs::path root_;
 };
 
+TEST(Stages, HaveAllTheirParts) {
+  ASSERT_THAT(matches(without_comments(text_of(fs::path(WRINKLE_SOURCE_DIR) / "golden/stages.def")), "\\(scan, (Scan)"),
+              ElementsAre("Scan"));
+  EXPECT_THAT(faults_of_stages(WRINKLE_SOURCE_DIR), IsEmpty());
+}
+
 TEST(Datapaths, HaveAllTheirParts) {
   ASSERT_THAT(datapaths_of(WRINKLE_SOURCE_DIR), testing::Contains("phong"));
   EXPECT_THAT(faults_of_datapaths(WRINKLE_SOURCE_DIR), IsEmpty());
@@ -132,8 +138,8 @@ TEST(Datapaths, HaveAllTheirParts) {
 
 TEST_F(Scratch, AMissingPartOfAStageIsNamed) {
   for (const Stage& stage : {Stage{"ghost", false}, Stage{"herald", true}}) {
-    write("golden/stages.def", "// WRINKLE_STAGE(name, Name, moves)\nWRINKLE_STAGE(" + stage.name + ", Title, " +
-                                   (stage.before_pixels ? "0" : "1") + ")\n");
+    write("golden/stages.def", "// WRINKLE_STAGE(name, Name, moves, latency)\nWRINKLE_STAGE(" + stage.name +
+                                   ", Title, " + (stage.before_pixels ? "0" : "1") + ", 0)\n");
     write("docs/architecture.md", "# Architecture\n\n## " + stage.name + "\n");
     for (const Part& part : parts_of(stage)) write(part.file);
     EXPECT_THAT(faults_of_stages(root_), IsEmpty());
