@@ -18,6 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kClocks = 1000, kEpisode = 40, kLeastRuns = 4, kMostRuns = 16;
+// After so many clocks nothing is left of the state at the start.
+constexpr int kForgotten = 256;
 // With registers as wires, a word stays until the deepest pipeline shows it, and only then is compared.
 constexpr int kStay = 8;
 
@@ -47,16 +49,16 @@ class Check {
       : options_(options),
         netlist_(read_gates(options.gates)),
         ports_(options.registers ? netlist_.ports : joined(netlist_.ports)),
-        bench_{Bundle(ports_, true), Bundle(ports_, false)},
-        register_was_(netlist_.flip_flops.size()) {
+        bench_{Bundle(ports_, true), Bundle(ports_, false)} {
     bench_.has_clock = std::any_of(ports_.begin(), ports_.end(), [](const NetlistPort& p) { return p.name == "clk"; });
     if (bench_.has_clock)
       bench_.registers = elaborated_registers(options.top, options.parameters, options.sources, options.include_folders,
                                               options.folder);
     bench_.clocks = kClocks * stay();
-    bench_.episode = kEpisode * stay();
     find_sources();
     find_registers();
+    find_flip_flops();
+    bench_.episode = starts_alike_ ? kEpisode * stay() : bench_.clocks;
     find_constants();
     if (bench_.outputs.nets.empty()) throw SynthesisError(options.top + " has no output");
   }
@@ -84,6 +86,19 @@ class Check {
       if (!gate.is_buffer() || !sources_[gate.a]) continue;
       sources_[gate.y] = Source{sources_[gate.a]->flip_flop, sources_[gate.a]->inverted != gate.is_inverter()};
     }
+  }
+
+  // Which flip-flops have a name, and whether both sides can start alike.
+  void find_flip_flops() {
+    std::vector<bool> has_name(netlist_.flip_flops.size());
+    for (std::size_t i = 0; i < register_nets_.size(); ++i) {
+      if (const auto source = source_of(i)) has_name[source->flip_flop] = true;
+    }
+    starts_alike_ = options_.keeps_registers || std::count(has_name.begin(), has_name.end(), false) == 0;
+    for (std::size_t i = 0; i < has_name.size(); ++i) {
+      if (starts_alike_ || has_name[i]) counted_.push_back(i);
+    }
+    register_was_.resize(counted_.size());
   }
 
   // Outputs that the netlist only wires to a constant have no other value to take.
@@ -144,13 +159,14 @@ class Check {
       std::vector<bool> state(netlist_.flip_flops.size());
       for (std::size_t i = 0; i < state.size(); ++i) state[i] = random() % 2 != 0;
       for_each_bit(words, [&](std::size_t bit, char& value) {
-        if (const auto source = source_of(bit)) state[source->flip_flop] = (value == '1') != source->inverted;
+        if (const auto source = source_of(bit); source && starts_alike_)
+          state[source->flip_flop] = (value == '1') != source->inverted;
       });
       GateSimulation simulation(netlist_);
       simulation.set_state(state);
       drive(simulation, run.inputs[static_cast<std::size_t>(clock)]);
       for_each_bit(words, [&](std::size_t bit, char& value) {
-        if (register_nets_[bit]) value = (simulation.value(*register_nets_[bit]) & 1) != 0 ? '1' : '0';
+        if (register_nets_[bit] && starts_alike_) value = (simulation.value(*register_nets_[bit]) & 1) != 0 ? '1' : '0';
       });
       for (const std::string& word : words) file << word << '\n';
       run.states.push_back(std::move(state));
@@ -178,7 +194,10 @@ class Check {
   }
 
   int stay() const { return options_.registers ? 1 : kStay; }
-  bool is_compared(int clock) const { return clock % stay() == stay() - 1; }
+  bool is_compared(std::size_t clock) const {
+    const int time = static_cast<int>(clock);
+    return time % stay() == stay() - 1 && (starts_alike_ || time >= kForgotten);
+  }
 
   // The netlist at one clock of a run, its inputs settled.
   void step(GateSimulation& simulation, const Run& run, std::size_t clock) const {
@@ -194,17 +213,17 @@ class Check {
     for (std::size_t i = 0; i < outputs.size(); ++i) call(i, outputs[i], results[results.size() - 1 - i]);
     for (std::size_t i = 0; i < register_nets_.size(); ++i) {
       const std::size_t bit = outputs.size() + i;
-      if (source_of(i)) call(bit, *register_nets_[i], results[results.size() - 1 - bit]);
+      if (starts_alike_ && source_of(i)) call(bit, *register_nets_[i], results[results.size() - 1 - bit]);
     }
   }
 
   void compare(const Run& run) {
     GateSimulation simulation(netlist_);
-    std::vector<bool> before(netlist_.flip_flops.size());
+    std::vector<bool> before(counted_.size());
     for (std::size_t clock = 0; clock < run.inputs.size(); ++clock) {
       step(simulation, run, clock);
-      for (std::size_t i = 0; i < before.size(); ++i) before[i] = simulation.bit(netlist_.flip_flops[i].q);
-      if (is_compared(static_cast<int>(clock))) {
+      for (std::size_t i = 0; i < before.size(); ++i) before[i] = simulation.bit(counted_q(i));
+      if (is_compared(clock)) {
         for_each_result(run.results[clock], [&](std::size_t bit, std::uint32_t net, char expected) {
           if (expected != (simulation.bit(net) ? '1' : '0')) complain(run, clock, bit, expected);
           if (bit < output_was_.size()) output_was_[bit].add(expected == '1');
@@ -212,11 +231,13 @@ class Check {
       }
       simulation.clock();
       for (std::size_t i = 0; i < before.size(); ++i) {
-        const bool after = simulation.bit(netlist_.flip_flops[i].q);
+        const bool after = simulation.bit(counted_q(i));
         if (after != before[i]) register_was_[i].add(after);
       }
     }
   }
+
+  std::uint32_t counted_q(std::size_t i) const { return netlist_.flip_flops[counted_[i]].q; }
 
   // The name of a bit of the results.
   std::string name_of(std::size_t bit) const {
@@ -259,7 +280,7 @@ class Check {
     const auto flip_flop = std::find_if(register_was_.begin(), register_was_.end(), is_unchanged);
     for (std::size_t i = 0; i < register_nets_.size(); ++i) {
       const auto source = source_of(i);
-      if (source && source->flip_flop == static_cast<std::size_t>(flip_flop - register_was_.begin()))
+      if (source && source->flip_flop == counted_[static_cast<std::size_t>(flip_flop - register_was_.begin())])
         return name_of(output_was_.size() + i);
     }
     return "a flip-flop without a name";
@@ -311,7 +332,7 @@ class Check {
     std::uint64_t found = 0;
     for (std::size_t clock = 0; clock < run.inputs.size() && (found & wanted) != wanted; ++clock) {
       step(simulation, run, clock);
-      if (is_compared(static_cast<int>(clock))) {
+      if (is_compared(clock)) {
         for_each_result(run.results[clock], [&](std::size_t, std::uint32_t net, char expected) {
           found |= expected == '1' ? ~simulation.value(net) : simulation.value(net);
         });
@@ -328,6 +349,8 @@ class Check {
   std::vector<std::optional<Source>> sources_;               // by net
   std::vector<std::optional<std::uint32_t>> register_nets_;  // by bit of all registers
   std::vector<Run> runs_;
+  bool starts_alike_ = true;
+  std::vector<std::size_t> counted_;  // flip-flops of which it is known what they were
   std::vector<Seen> register_was_, output_was_;
   NetlistChecked checked_;
 };

@@ -15,8 +15,9 @@ struct CheckOptions {
   std::vector<std::filesystem::path> sources, include_folders;  // of the Verilog
   std::filesystem::path gates;                                  // the netlist as read_gates takes it
   std::filesystem::path folder;                                 // for what the simulator reads and writes
-  bool registers = true;  // off: in the netlist registers are wires, and each port is split into bits NAME_I_
-  int faults = 0;         // how many single faults of the netlist are tried after it was found equal
+  bool registers = true;        // off: in the netlist registers are wires, and each port is split into bits NAME_I_
+  bool keeps_registers = true;  // off: some may be inside of an FPGA's multipliers and memories, without their names
+  int faults = 0;               // how many single faults of the netlist are tried after it was found equal
 };
 
 // Icarus simulates the Verilog, gates.h the netlist, both from the same random state, which is another in every run:
@@ -24,6 +25,9 @@ struct CheckOptions {
 // every output is known and compared at every clock, the first included, and a reset that is missing is seen. Runs of
 // 1,000 clocks follow each other until every register and every output has been 0 and 1, four at least and sixteen at
 // most.
+//
+// A netlist that does not keep its registers starts from another random state than the Verilog, and outputs are
+// compared from clock 256 on, when what came in has taken the place of either.
 //
 // Throws NetlistDiffers, whose text says the first output, its clock and the inputs.
 NetlistChecked check_netlist(const CheckOptions& options);

@@ -64,7 +64,7 @@ std::string script_text(const fs::path& name) {
   return text;
 }
 
-std::vector<fs::path> verilog_files(const std::vector<fs::path>& folders, const std::string& extension) {
+std::vector<fs::path> files_in(const std::vector<fs::path>& folders, const std::string& extension) {
   std::vector<fs::path> files;
   for (const fs::path& folder : folders) {
     if (!fs::is_directory(folder)) continue;
@@ -88,7 +88,7 @@ fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "m
 
 // The sources with every module that has a map replaced by it; a map that replaces nothing may be part of another.
 std::vector<fs::path> mapped_sources(const std::vector<fs::path>& sources) {
-  std::vector<fs::path> mapped = verilog_files({maps()}, ".v");
+  std::vector<fs::path> mapped = files_in({maps()}, ".v");
   for (const fs::path& source : sources) {
     if (!fs::exists(maps() / source.filename())) mapped.push_back(source);
   }
@@ -122,7 +122,10 @@ std::string filled_in(const Job& job, const std::string& script) {
       map_registers + (job.options.full_adders ? techmap("square.v") + techmap("signed_multiply.v") + "opt\n" : "");
   // Rounds enough that no full adder of a stage keeps a constant pin.
   std::string constant_pins;
-  for (int round = 0; round < 8; ++round) constant_pins += techmap("full_adder_constant.v") + "techmap\nopt -full\n";
+  for (int round = 0; round < 8; ++round)
+    constant_pins +=
+        techmap("full_adder_constant.v") + "techmap t:$xor t:$and t:$or %u %u\nopt_expr\nopt_merge\nopt_clean\n";
+  constant_pins += "opt -full\n";
 
   const fs::path adders = job.options.adders.empty() ? "full_adders.ys" : job.options.adders;
   std::string text = script_text(script);
@@ -200,7 +203,7 @@ double placed_path(const Job& job) {
 NetlistChecked checked(const Job& job) {
   run_script(job, {"yosys", "-Q", "-s"}, job.is_standard_cells() ? "cells_gates.ys" : "fpga_gates.ys");
   return check_netlist({job.top, job.parameters, job.sources, include_folders(job.sources), job.folder / "gates.blif",
-                        job.folder, job.options.registers, job.options.faults});
+                        job.folder, job.options.registers, job.is_standard_cells(), job.options.faults});
 }
 
 std::string provenance(const Job& job) {
@@ -233,7 +236,24 @@ SynthesisResult make(const Job& job) {
 // Files and the headers beside them.
 void add_files(Fingerprint& key, const std::vector<fs::path>& files) {
   for (const fs::path& file : files) key.add(read_text(file));
-  for (const fs::path& header : verilog_files(include_folders(files), ".vh")) key.add(read_text(header));
+  for (const fs::path& header : files_in(include_folders(files), ".vh")) key.add(read_text(header));
+}
+
+// The scripts that a job can come to use: those of an FPGA bear its name or are for every FPGA, all others are for
+// standard cells.
+std::vector<fs::path> own_scripts(const Job& job) {
+  std::vector<fs::path> found;
+  for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
+    for (const fs::path& script : files_in({scripts()}, extension)) {
+      const std::string name = script.filename();
+      const auto is_of = [&](CellLibrary library) { return name.starts_with(cell_library_name(library)); };
+      const bool is_of_fpga = name.starts_with("fpga") || is_of(CellLibrary::kIce40) || is_of(CellLibrary::kEcp5) ||
+                              is_of(CellLibrary::kXilinx);
+      const bool is_own = is_of(job.library) || name.starts_with("fpga");
+      if (job.is_standard_cells() ? !is_of_fpga : is_own) found.push_back(script);
+    }
+  }
+  return found;
 }
 
 std::string job_key(const Job& job) {
@@ -241,9 +261,7 @@ std::string job_key(const Job& job) {
   key.add(job.top);
   for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value.text));
   for (const auto* files : {&job.sources, &job.mapped}) add_files(key, *files);
-  for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
-    for (const fs::path& script : verilog_files({scripts()}, extension)) key.add(read_text(script));
-  }
+  for (const fs::path& script : own_scripts(job)) key.add(read_text(script));
   if (job.is_standard_cells()) {
     key.add(read_text(liberty_path(job.library)));
     key.add(read_text(lef_path(job.library)));
@@ -291,7 +309,7 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
   Job job{top, parameters, library, options, options.sources, {}, {}};
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
   if (job.sources.empty())
-    job.sources = verilog_files({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
+    job.sources = files_in({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
   for (fs::path& source : job.sources) source = fs::absolute(source);
 
   const fs::path cache = cache_folder(options);
