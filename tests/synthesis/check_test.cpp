@@ -135,7 +135,7 @@ endmodule
     check_netlist(options_);
     FAIL() << "not refused";
   } catch (const SynthesisError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("kept_q[0] of latch never changed in 16000 clocks"));
+    EXPECT_THAT(error.what(), HasSubstr("kept_q[0] of latch never changed in 40000 clocks"));
   }
 }
 
