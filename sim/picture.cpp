@@ -6,11 +6,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
 #include "sim/input_error.h"
+#include "sim/scene/files.h"
 
 namespace wrinkle {
 namespace {
@@ -27,6 +30,7 @@ fs::path temporary_beside(const fs::path& path) {
 // Runs `write` on a temporary name and moves the result to `path`; removes it when `write` throws.
 template <class Write>
 void write_whole(const fs::path& path, Write write) {
+  check_not_read(path);
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
   const fs::path temporary = temporary_beside(path);
@@ -56,7 +60,7 @@ void write_picture(const fs::path& path, const Picture& image) {
       OIIO::geterror();
       throw InputError(Place{path.string()}, "an unknown ending", ".png or .exr");
     }
-    const auto type = path.extension() == ".exr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+    const auto type = extension_of(path) == ".exr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     if (!encode(*output, temporary.string(), image, type))
       throw InputError(Place{path.string()}, "cannot be written: " + output->geterror());
   });
@@ -72,10 +76,11 @@ std::string encode_png(const Picture& image) {
 
 void write_text(const fs::path& path, const std::string& text) {
   write_whole(path, [&](const fs::path& temporary) {
+    errno = 0;
     std::ofstream file(temporary, std::ios::binary);
     file << text;
     file.close();
-    if (!file) throw InputError(Place{path.string()}, "cannot be written");
+    if (!file) throw InputError(Place{path.string()}, std::string("cannot be written: ") + std::strerror(errno));
   });
 }
 

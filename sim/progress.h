@@ -1,4 +1,4 @@
-// A progress line for people: drawn on standard error when that is a terminal, silent otherwise.
+// Progress on standard error: a line that is redrawn where that is a terminal, else a new line every ten seconds.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // May be called often: the line is redrawn at most ten times a second.
+  // May be called often: on a terminal the line is redrawn at most ten times a second.
   void at(std::uint64_t done, std::string_view note = "");
   // Removes the line, so that something else can be printed.
   void clear();
@@ -25,7 +25,7 @@ class Progress {
   std::string label_;
   std::uint64_t total_;
   std::chrono::steady_clock::time_point last_;
-  bool visible_;
+  bool terminal_;
 };
 
 }  // namespace wrinkle

@@ -64,7 +64,8 @@ std::string first_line(const Arguments& arguments) {
 
 FileLock::FileLock(const std::filesystem::path& path)
     : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-  if (descriptor_ < 0) throw std::runtime_error(fmt::format("{}: {}", path.string(), std::strerror(errno)));
+  if (descriptor_ < 0)
+    throw std::filesystem::filesystem_error("cannot be locked", path, std::error_code(errno, std::generic_category()));
   while (flock(descriptor_, LOCK_EX) < 0 && errno == EINTR) {
   }
 }

@@ -42,7 +42,7 @@ struct Blinn : DatapathDefaults {
 
   // The slopes of the height field where there is one, else those of the surface that has the normals.
   static ExactTexture texels(const TexelInputs& in) {
-    return in.heights != nullptr ? gradient_texture(in.normals, *in.heights, in.texel_bits)
+    return in.heights != nullptr ? gradient_texture(in.normals, *in.heights, in.texel_bits, in.wraps)
                                  : gradient_texture(in.normals, in.texel_bits);
   }
   static Vec3 texel_normal(std::span<const double> bump, double scale) { return {-bump[0], -bump[1], 1 / scale}; }

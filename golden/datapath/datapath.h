@@ -12,6 +12,7 @@
 #include "golden/config/values.h"
 #include "golden/texel/grid.h"
 #include "golden/texel/texture.h"
+#include "golden/texel/wrap.h"
 #include "golden/vector.h"
 
 namespace wrinkle {
@@ -45,6 +46,7 @@ struct TexelInputs {
   const ExactTexture& normals;
   const Grid<double>* heights;
   int texel_bits;
+  Wraps wraps;  // of the draw: they say what lies beyond the edges of the heights
 };
 using FrameVectors = std::array<Vec3, kMaxFrameVectors>;
 // The components of a texel of the bump map, filtered.

@@ -35,13 +35,13 @@ ExactTexture from_slopes(const ExactTexture& base, Grid<Vec3> level0, int texel_
 
 }  // namespace
 
-ExactTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits) {
-  const Grid<Vec2> slopes = gradients(height);
+ExactTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits, Wraps wraps) {
+  const Grid<Vec2> slopes = gradients(height, wraps);
   Grid<Vec3> level0(slopes.width, slopes.height);
   std::transform(slopes.samples.begin(), slopes.samples.end(), level0.samples.begin(), [](Vec2 f) {
     return Vec3{f.x, f.y, 0};
   });
-  return from_slopes(base, resample(level0, base.width(0), base.height(0)), texel_bits);
+  return from_slopes(base, resample(level0, base.width(0), base.height(0), wraps), texel_bits);
 }
 
 ExactTexture gradient_texture(const ExactTexture& base, int texel_bits) {

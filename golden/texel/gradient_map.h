@@ -14,7 +14,7 @@ inline constexpr double kSteepestSlope = 8;
 //
 // From a height field, per unit of its u and v (v upwards). `base` gives the size, at least that of the field, and the
 // decal; sides are powers of two.
-ExactTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits);
+ExactTexture gradient_texture(const ExactTexture& base, const Grid<double>& height, int texel_bits, Wraps wraps = {});
 // From the normals of `base` in tangent space, per unit of length along T and B.
 ExactTexture gradient_texture(const ExactTexture& base, int texel_bits);
 

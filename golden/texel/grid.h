@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "golden/texel/wrap.h"
+
 namespace wrinkle {
 
 template <class T>
@@ -17,14 +19,10 @@ struct Grid {
 
   T& at(int x, int y) { return samples[index(x, y)]; }
   const T& at(int x, int y) const { return samples[index(x, y)]; }
-  // The sample at a position outside, as if the grid were repeated without end.
-  const T& repeat(int x, int y) const { return at(wrap(x, width), wrap(y, height)); }
+  // The sample at a position that may lie outside.
+  const T& at(int x, int y, Wraps wraps) const { return at(wrapped(x, width, wraps.u), wrapped(y, height, wraps.v)); }
 
  private:
-  static int wrap(int i, int n) {
-    const int r = i % n;
-    return r < 0 ? r + n : r;
-  }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }

@@ -31,24 +31,38 @@ Kernel derivative_kernel() {
   return kernel;
 }
 
-Grid<double> convolve_rows(const Grid<double>& grid, const Kernel& kernel) {
+// What stands at sample `i` of a line of `size`, which may lie outside. Where the texture is clamped the line goes on
+// turned about its last sample, so that a slope goes on as it is.
+template <class Line>
+double beyond(const Line& line, int i, int size, Wrap wrap) {
+  if (i >= 0 && i < size) return line(i);
+  if (wrap != Wrap::kClamp) return line(wrapped(i, size, wrap));
+  const int border = i < 0 ? 0 : size - 1;
+  return 2 * line(border) - line(std::clamp(2 * border - i, 0, size - 1));
+}
+
+Grid<double> convolve_rows(const Grid<double>& grid, const Kernel& kernel, Wraps wraps) {
   Grid<double> result(grid.width, grid.height);
   for (int y = 0; y < grid.height; ++y) {
+    const auto row = [&](int x) { return grid.at(x, y); };
     for (int x = 0; x < grid.width; ++x) {
       for (int i = -kReach; i <= kReach; ++i) {
-        result.at(x, y) += kernel[static_cast<std::size_t>(i + kReach)] * grid.repeat(x + i, y);
+        result.at(x, y) += kernel[static_cast<std::size_t>(i + kReach)] * beyond(row, x + i, grid.width, wraps.u);
       }
     }
   }
   return result;
 }
 
-Grid<double> convolve_columns(const Grid<double>& grid, const Kernel& kernel) {
+Grid<double> convolve_columns(const Grid<double>& grid, const Kernel& kernel, Wraps wraps) {
   Grid<double> result(grid.width, grid.height);
   for (int y = 0; y < grid.height; ++y) {
     for (int i = -kReach; i <= kReach; ++i) {
       const double weight = kernel[static_cast<std::size_t>(i + kReach)];
-      for (int x = 0; x < grid.width; ++x) result.at(x, y) += weight * grid.repeat(x, y + i);
+      for (int x = 0; x < grid.width; ++x) {
+        const auto column = [&](int j) { return grid.at(x, j); };
+        result.at(x, y) += weight * beyond(column, y + i, grid.height, wraps.v);
+      }
     }
   }
   return result;
@@ -67,10 +81,10 @@ double vane(double x, double y) {
 
 }  // namespace
 
-Grid<Vec2> gradients(const Grid<double>& height) {
+Grid<Vec2> gradients(const Grid<double>& height, Wraps wraps) {
   static const Kernel kSmoothing = smoothing_kernel(), kDerivative = derivative_kernel();
-  const Grid<double> by_x = convolve_columns(convolve_rows(height, kDerivative), kSmoothing);
-  const Grid<double> by_y = convolve_columns(convolve_rows(height, kSmoothing), kDerivative);
+  const Grid<double> by_x = convolve_columns(convolve_rows(height, kDerivative, wraps), kSmoothing, wraps);
+  const Grid<double> by_y = convolve_columns(convolve_rows(height, kSmoothing, wraps), kDerivative, wraps);
   Grid<Vec2> result(height.width, height.height);
   for (std::size_t i = 0; i < result.samples.size(); ++i) {
     result.samples[i] = {height.width * by_x.samples[i], -height.height * by_y.samples[i]};
@@ -82,7 +96,9 @@ Vec2 SampledHeightField::gradient(double u, double v) const {
   const double x = u * gradients_.width - 0.5, y = (1 - v) * gradients_.height - 0.5;
   const double x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
   const int ix = static_cast<int>(x0), iy = static_cast<int>(y0);
-  const auto row = [&](int j) { return (1 - fx) * gradients_.repeat(ix, j) + fx * gradients_.repeat(ix + 1, j); };
+  const auto row = [&](int j) {
+    return (1 - fx) * gradients_.at(ix, j, wraps_) + fx * gradients_.at(ix + 1, j, wraps_);
+  };
   return (1 - fy) * row(iy) + fy * row(iy + 1);
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 // normal_of(u, v, f_u, f_v) at every sample.
 template <class Normal>
-NormalMap from_gradients(const Grid<double>& height, const Normal& normal_of) {
-  const Grid<Vec2> slopes = gradients(height);
+NormalMap from_gradients(const Grid<double>& height, Wraps wraps, const Normal& normal_of) {
+  const Grid<Vec2> slopes = gradients(height, wraps);
   NormalMap map(height.width, height.height);
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
@@ -35,15 +35,16 @@ MipChain mips_of_heights(Grid<double> height, const Normals& normals) {
 
 }  // namespace
 
-NormalMap normal_map(const Grid<double>& height, const Surface& surface) {
-  return from_gradients(height, [&](double u, double v, double fu, double fv) {
+NormalMap normal_map(const Grid<double>& height, const Surface& surface, Wraps wraps) {
+  return from_gradients(height, wraps, [&](double u, double v, double fu, double fv) {
     const SurfacePoint s = surface.at(u, v);
     return tangent_space_normal(s.Pu, s.Pv, fu, fv);
   });
 }
 
-NormalMap normal_map(const Grid<double>& height, double k) {
-  return from_gradients(height, [&](double, double, double fu, double fv) { return square_patch_normal(k, fu, fv); });
+NormalMap normal_map(const Grid<double>& height, double k, Wraps wraps) {
+  return from_gradients(height, wraps,
+                        [&](double, double, double fu, double fv) { return square_patch_normal(k, fu, fv); });
 }
 
 NormalMap out_of_tangent_space(const NormalMap& map, const Surface& surface) {
@@ -84,12 +85,12 @@ MipChain normal_mips(NormalMap level0) {
   return chain;
 }
 
-MipChain normal_mips(const Grid<double>& height, const Surface& surface) {
-  return mips_of_heights(height, [&](const Grid<double>& h) { return normal_map(h, surface); });
+MipChain normal_mips(const Grid<double>& height, const Surface& surface, Wraps wraps) {
+  return mips_of_heights(height, [&](const Grid<double>& h) { return normal_map(h, surface, wraps); });
 }
 
-MipChain normal_mips(const Grid<double>& height, double k) {
-  return mips_of_heights(height, [&](const Grid<double>& h) { return normal_map(h, k); });
+MipChain normal_mips(const Grid<double>& height, double k, Wraps wraps) {
+  return mips_of_heights(height, [&](const Grid<double>& h) { return normal_map(h, k, wraps); });
 }
 
 }  // namespace wrinkle

@@ -17,9 +17,9 @@ using NormalMap = Grid<Vec3>;
 using MipChain = std::vector<Grid<Vec3>>;  // of normals, or of colours
 
 // From Pu and Pv of the surface at every texel [Peercy97 eq. 3-6].
-NormalMap normal_map(const Grid<double>& height, const Surface& surface);
+NormalMap normal_map(const Grid<double>& height, const Surface& surface, Wraps wraps = {});
 // For any surface, as if |Pu| = |Pv| = k and Pu at right angles to Pv [Peercy97 eq. 8-11].
-NormalMap normal_map(const Grid<double>& height, double k);
+NormalMap normal_map(const Grid<double>& height, double k, Wraps wraps = {});
 
 // Texels of a tangent-space map of `surface` in the space that `surface` lies in [Peercy97 section 2.1].
 NormalMap out_of_tangent_space(const NormalMap& map, const Surface& surface);
@@ -28,13 +28,13 @@ NormalMap out_of_tangent_space(const NormalMap& map, const Surface& surface);
 // x and y, and normalizes (glTF's normalTexture.scale).
 NormalMap normal_map_from_image(const Grid<Vec3>& image, double scale = 1);
 
-// To the next power of two in each direction (bilinear, repeating), at most 2^12 (area mean). The same grid where its
+// To the next power of two in each direction (bilinear), at most 2^12 (area mean). The same grid where its
 // sides are powers of two already.
 template <class T>
-Grid<T> resample_to_power_of_two(const Grid<T>& grid);
+Grid<T> resample_to_power_of_two(const Grid<T>& grid, Wraps wraps = {});
 // To the given size; the same grid where it has that size.
 template <class T>
-Grid<T> resample(const Grid<T>& grid, int width, int height);
+Grid<T> resample(const Grid<T>& grid, int width, int height, Wraps wraps = {});
 // Half the size in each direction (1 stays 1), each texel the mean of those it covers. Sides are powers of two.
 template <class T>
 Grid<T> halve(const Grid<T>& grid);
@@ -45,7 +45,7 @@ MipChain colour_mips(Grid<Vec3> level0);
 // left as it is.
 MipChain normal_mips(NormalMap level0);
 // (b) The height field filtered, and the normals of every level computed from it.
-MipChain normal_mips(const Grid<double>& height, const Surface& surface);
-MipChain normal_mips(const Grid<double>& height, double k);
+MipChain normal_mips(const Grid<double>& height, const Surface& surface, Wraps wraps = {});
+MipChain normal_mips(const Grid<double>& height, double k, Wraps wraps = {});
 
 }  // namespace wrinkle

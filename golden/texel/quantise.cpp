@@ -16,11 +16,11 @@ double round_half_up(double x) { return std::floor(x + 0.5); }
 
 // Level `level` of a texture of width x height at level 0, from a chain that may be smaller, larger or of another
 // shape.
-Grid<Vec3> level_of(const MipChain& chain, int width, int height) {
+Grid<Vec3> level_of(const MipChain& chain, int width, int height, Wraps wraps) {
   for (const Grid<Vec3>& level : chain) {
     if (level.width == width && level.height == height) return level;
   }
-  return resample(chain.front(), width, height);
+  return resample(chain.front(), width, height, wraps);
 }
 
 // Sets the first three components of a member of every texel.
@@ -58,7 +58,7 @@ class CodeWriter {
 
 }  // namespace
 
-ExactTexture assemble(const MipChain& normals, const MipChain& decal) {
+ExactTexture assemble(const MipChain& normals, const MipChain& decal, Wraps wraps) {
   int width = 1, height = 1;
   for (const MipChain* chain : {&normals, &decal}) {
     if (chain->empty()) continue;
@@ -72,8 +72,8 @@ ExactTexture assemble(const MipChain& normals, const MipChain& decal) {
   for (int l = 0; l < levels; ++l) {
     const int w = texture.width(l), h = texture.height(l);
     std::vector<ExactTexel> level(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kFlat);
-    if (!normals.empty()) put(level, level_of(normals, w, h), &ExactTexel::bump);
-    if (!decal.empty()) put(level, level_of(decal, w, h), &ExactTexel::colour);
+    if (!normals.empty()) put(level, level_of(normals, w, h, wraps), &ExactTexel::bump);
+    if (!decal.empty()) put(level, level_of(decal, w, h, wraps), &ExactTexel::colour);
     texture.levels.push_back(std::move(level));
   }
   return texture;

@@ -12,7 +12,7 @@ namespace wrinkle {
 // One texture from a chain of normals and a chain of colours in [0, 1], either of which may be empty: normals are then
 // (0, 0, 1), colours 1. Chains of different sizes are brought to the larger one: the finer levels that the smaller
 // chain lacks are interpolated from its level 0.
-ExactTexture assemble(const MipChain& normals, const MipChain& decal);
+ExactTexture assemble(const MipChain& normals, const MipChain& decal, Wraps wraps = {});
 
 // Code of a component of the bump map, in [-1, 1] or limited to it, by the format of the datapath: the nearest to
 // (offset + value * full scale) / 2, ties up.

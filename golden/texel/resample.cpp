@@ -31,14 +31,14 @@ Span area_span(int i, int from, int to) {
 Span span_of(int i, int from, int to) { return to >= from ? bilinear_span(i, from, to) : area_span(i, from, to); }
 
 template <class T>
-Grid<T> resample_rows(const Grid<T>& grid, int width) {
+Grid<T> resample_rows(const Grid<T>& grid, int width, Wraps wraps) {
   Grid<T> result(width, grid.height);
   for (int x = 0; x < width; ++x) {
     const Span span = span_of(x, grid.width, width);
     for (int y = 0; y < grid.height; ++y) {
       T sum{};
       for (std::size_t k = 0; k < span.weights.size(); ++k) {
-        sum = sum + span.weights[k] * grid.repeat(span.first + static_cast<int>(k), y);
+        sum = sum + span.weights[k] * grid.at(span.first + static_cast<int>(k), y, wraps);
       }
       result.at(x, y) = sum;
     }
@@ -47,14 +47,14 @@ Grid<T> resample_rows(const Grid<T>& grid, int width) {
 }
 
 template <class T>
-Grid<T> resample_columns(const Grid<T>& grid, int height) {
+Grid<T> resample_columns(const Grid<T>& grid, int height, Wraps wraps) {
   Grid<T> result(grid.width, height);
   for (int y = 0; y < height; ++y) {
     const Span span = span_of(y, grid.height, height);
     for (int x = 0; x < grid.width; ++x) {
       T sum{};
       for (std::size_t k = 0; k < span.weights.size(); ++k) {
-        sum = sum + span.weights[k] * grid.repeat(x, span.first + static_cast<int>(k));
+        sum = sum + span.weights[k] * grid.at(x, span.first + static_cast<int>(k), wraps);
       }
       result.at(x, y) = sum;
     }
@@ -69,16 +69,16 @@ int power_of_two(int size) {
 }  // namespace
 
 template <class T>
-Grid<T> resample(const Grid<T>& grid, int width, int height) {
+Grid<T> resample(const Grid<T>& grid, int width, int height, Wraps wraps) {
   if (width == grid.width && height == grid.height) return grid;
-  if (width == grid.width) return resample_columns(grid, height);
-  if (height == grid.height) return resample_rows(grid, width);
-  return resample_columns(resample_rows(grid, width), height);
+  if (width == grid.width) return resample_columns(grid, height, wraps);
+  if (height == grid.height) return resample_rows(grid, width, wraps);
+  return resample_columns(resample_rows(grid, width, wraps), height, wraps);
 }
 
 template <class T>
-Grid<T> resample_to_power_of_two(const Grid<T>& grid) {
-  return resample(grid, power_of_two(grid.width), power_of_two(grid.height));
+Grid<T> resample_to_power_of_two(const Grid<T>& grid, Wraps wraps) {
+  return resample(grid, power_of_two(grid.width), power_of_two(grid.height), wraps);
 }
 
 template <class T>
@@ -97,10 +97,10 @@ Grid<T> halve(const Grid<T>& grid) {
   return result;
 }
 
-template Grid<double> resample(const Grid<double>&, int, int);
-template Grid<Vec3> resample(const Grid<Vec3>&, int, int);
-template Grid<double> resample_to_power_of_two(const Grid<double>&);
-template Grid<Vec3> resample_to_power_of_two(const Grid<Vec3>&);
+template Grid<double> resample(const Grid<double>&, int, int, Wraps);
+template Grid<Vec3> resample(const Grid<Vec3>&, int, int, Wraps);
+template Grid<double> resample_to_power_of_two(const Grid<double>&, Wraps);
+template Grid<Vec3> resample_to_power_of_two(const Grid<Vec3>&, Wraps);
 template Grid<double> halve(const Grid<double>&);
 template Grid<Vec3> halve(const Grid<Vec3>&);
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace wrinkle {
+#include "golden/texel/wrap.h"
 
-enum class Wrap : std::uint8_t { kRepeat = 0, kClamp = 1, kMirror = 2 };
+namespace wrinkle {
 
 // Components of the largest bump map.
 inline constexpr std::size_t kMaxBumpComponents = 9;

@@ -154,7 +154,7 @@ int FrameBuilder::map_of(const Object& object) {
   const auto heights = rules_.texels_from_heights && has_derivatives(object) ? object.heights : nullptr;
   const auto [entry, is_new] = map_of_.try_emplace({object.texture, heights}, static_cast<int>(frame_.textures.size()));
   if (!is_new) return entry->second;
-  const TexelInputs inputs{*object.texture, heights.get(), config_.texel_bits};
+  const TexelInputs inputs{*object.texture, heights.get(), config_.texel_bits, {object.wrap_u, object.wrap_v}};
   frame_.exact_textures.push_back(
       with_datapath(config_, [&](const auto& said) { return std::decay_t<decltype(said)>::texels(inputs); }));
   frame_.textures.push_back(quantise(frame_.exact_textures.back(), config_));

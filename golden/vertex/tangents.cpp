@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <tuple>
+#include <utility>
 
 namespace wrinkle {
 namespace {
@@ -34,6 +34,95 @@ struct Group {
   std::int32_t corner;  // the welded corner it is about
   bool preserving;
   std::vector<std::int32_t> faces;
+};
+
+// A face of a group.
+struct Member {
+  std::int32_t face;
+  std::size_t corner;  // of the face, the one that the group is about
+  bool joins_any;
+  Vec3 s, t;   // projected directions
+  Vec3 share;  // of the sum of the group
+};
+
+// Sums of consecutive shares, in time that grows with the logarithm of their number, without subtracting.
+class RangeSum {
+ public:
+  explicit RangeSum(const std::vector<Member>& members) : size_(members.size()), nodes_(2 * members.size()) {
+    for (std::size_t i = 0; i < size_; ++i) {
+      nodes_[size_ + i] = members[i].share;
+      total_ = total_ + members[i].share;
+    }
+    for (std::size_t i = size_; i-- > 1;) nodes_[i] = nodes_[2 * i] + nodes_[2 * i + 1];
+  }
+  Vec3 total() const { return total_; }  // in order
+  Vec3 of(std::size_t first, std::size_t end) const {
+    Vec3 sum;
+    for (first += size_, end += size_; first < end; first /= 2, end /= 2) {
+      if (first % 2 == 1) sum = sum + nodes_[first++];
+      if (end % 2 == 1) sum = sum + nodes_[--end];
+    }
+    return sum;
+  }
+
+ private:
+  std::size_t size_;
+  std::vector<Vec3> nodes_;
+  Vec3 total_;
+};
+
+// Which members of a group are exactly opposed, in s or in t, as single precision sees it.
+class Opposites {
+ public:
+  Opposites(const std::vector<Member>& members, Vec3 n) : members_(members) {
+    // Within a right angle of one of them no two are opposed: the usual case.
+    const auto joins = [](const Member& m) { return m.joins_any; };
+    const auto first = std::find_if_not(members.begin(), members.end(), joins);
+    none_ = std::all_of(first, members.end(), [&](const Member& m) {
+      return m.joins_any || (dot(first->s, m.s) > 0 && dot(first->t, m.t) > 0);
+    });
+    if (none_) return;
+    // Directions are at right angles to n: along the axis that is the least along n they differ the most.
+    const Vec3 size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+    axis_ = size.x <= size.y && size.x <= size.z ? &Vec3::x : size.y <= size.z ? &Vec3::y : &Vec3::z;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (members[i].joins_any) continue;
+      by_s_.emplace_back(members[i].s.*axis_, i);
+      by_t_.emplace_back(members[i].t.*axis_, i);
+    }
+    std::sort(by_s_.begin(), by_s_.end());
+    std::sort(by_t_.begin(), by_t_.end());
+  }
+
+  // Those of member m, in order.
+  std::vector<std::size_t> of(std::size_t m) const {
+    std::vector<std::size_t> found;
+    if (none_ || members_[m].joins_any) return found;
+    find(by_s_, members_[m].s, &Member::s, m, found);
+    find(by_t_, members_[m].t, &Member::t, m, found);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+ private:
+  using Sorted = std::vector<std::pair<double, std::size_t>>;
+  void find(const Sorted& sorted, Vec3 direction, Vec3 Member::*which, std::size_t m,
+            std::vector<std::size_t>& found) const {
+    // A cosine that rounds to -1 leaves no more than this to the opposite direction.
+    constexpr double kNear = 4e-4;
+    const double opposite = -(direction.*axis_);
+    for (auto at = std::lower_bound(sorted.begin(), sorted.end(), std::pair(opposite - kNear, std::size_t{0}));
+         at != sorted.end() && at->first <= opposite + kNear; ++at) {
+      const bool opposed = static_cast<float>(dot(direction, members_[at->second].*which)) <= -1.0F;
+      if (opposed && at->second != m) found.push_back(at->second);
+    }
+  }
+
+  const std::vector<Member>& members_;
+  bool none_ = false;
+  double Vec3::*axis_ = &Vec3::x;
+  Sorted by_s_, by_t_;
 };
 
 class Generator {
@@ -67,8 +156,8 @@ class Generator {
   void build_groups();
   void grow(std::int32_t group, std::int32_t from);
   bool join(std::int32_t group, std::int32_t candidate);
+  std::vector<Member> members_of(const Group& group) const;
   void emit(const Group& group);
-  Vec3 average(const Group& group, const std::vector<std::int32_t>& members) const;
   void copy_to_degenerate();
 
   std::span<const TangentCorner> corners_;
@@ -133,13 +222,18 @@ void Generator::find_neighbours() {
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.key() < b.key(); });
   const auto start = [&](const Edge& e) { return face(e.face).corner[e.index]; };
   const auto slot = [&](const Edge& e) -> std::int32_t& { return face(e.face).neighbour[e.index]; };
-  for (auto a = edges.begin(); a != edges.end(); ++a) {
-    if (slot(*a) != kNone) continue;
-    for (auto b = a + 1; b != edges.end() && b->low == a->low && b->high == a->high; ++b) {
-      if (start(*a) == start(*b) || slot(*b) != kNone) continue;
-      slot(*a) = b->face;
-      slot(*b) = a->face;
-      break;
+  // Along one edge those that wait for a partner all run the same way.
+  std::size_t waiting = 0;
+  std::vector<const Edge*> queue;
+  for (const Edge& e : edges) {
+    const bool same = !queue.empty() && queue.back()->low == e.low && queue.back()->high == e.high;
+    if (!same) queue.clear(), waiting = 0;
+    if (waiting < queue.size() && start(*queue[waiting]) != start(e)) {
+      slot(*queue[waiting]) = e.face;
+      slot(e) = queue[waiting++]->face;
+    } else {
+      // Only what waits is looked at, but the last of those that were paired shows which edge this is.
+      queue.push_back(&e);
     }
   }
 }
@@ -189,48 +283,42 @@ bool Generator::join(std::int32_t group, std::int32_t candidate) {
   return true;
 }
 
-// Angle-weighted mean of the faces' directions, each projected to the plane of the corner's normal.
-Vec3 Generator::average(const Group& group, const std::vector<std::int32_t>& members) const {
+// The faces of a group in order, each with its directions projected to the plane of the corner's normal, and with what
+// it adds to the mean: its direction by its angle at the corner.
+std::vector<Member> Generator::members_of(const Group& group) const {
   const Vec3 n = corners_[static_cast<std::size_t>(group.corner)].N;
-  Vec3 sum;
-  for (const std::int32_t number : members) {
+  std::vector<std::int32_t> sorted = group.faces;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<Member> members;
+  for (const std::int32_t number : sorted) {
     const Face& f = face(number);
-    if (f.joins_any) continue;
     const std::size_t i = corner_index(f, group.corner);
+    Member& m = members.emplace_back(Member{number, i, f.joins_any, {}, {}, {}});
+    if (f.joins_any) continue;
     const Vec3 p = corner(f, i).P;
     const Vec3 a = project(corner(f, (i + 2) % 3).P - p, n), b = project(corner(f, (i + 1) % 3).P - p, n);
-    sum = sum + std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * project(f.s, n);
+    m.s = project(f.s, n);
+    m.t = project(f.t, n);
+    m.share = std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * m.s;
   }
-  return unit_or_as_is(sum);
+  return members;
 }
 
 // Faces whose directions are exactly opposed do not share a tangent; all others of the group do.
 void Generator::emit(const Group& group) {
-  const Vec3 n = corners_[static_cast<std::size_t>(group.corner)].N;
-  std::vector<std::int32_t> sorted = group.faces;
-  std::sort(sorted.begin(), sorted.end());
-  const auto opposed = [&](const Face& a, const Face& b) {
-    if (a.joins_any || b.joins_any || &a == &b) return false;
-    return !(static_cast<float>(dot(project(a.s, n), project(b.s, n))) > -1.0f &&
-             static_cast<float>(dot(project(a.t, n), project(b.t, n))) > -1.0f);
-  };
-  // Within a right angle of one of them no two are opposed: the usual case, and linear.
-  const Face& any = face(sorted.front());
-  const bool together = std::all_of(sorted.begin(), sorted.end(), [&](std::int32_t number) {
-    const Face& f = face(number);
-    return !f.joins_any && dot(project(any.s, n), project(f.s, n)) > 0 && dot(project(any.t, n), project(f.t, n)) > 0;
-  });
-  std::optional<Vec3> shared;
-  if (together) shared = average(group, sorted);
-  for (const std::int32_t number : sorted) {
-    std::vector<std::int32_t> members;
-    if (!together) {
-      std::copy_if(sorted.begin(), sorted.end(), std::back_inserter(members),
-                   [&](std::int32_t other) { return !opposed(face(number), face(other)); });
+  const std::vector<Member> members = members_of(group);
+  const RangeSum shares(members);
+  const Opposites opposites(members, corners_[static_cast<std::size_t>(group.corner)].N);
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    Vec3 sum;
+    std::size_t from = 0;
+    for (const std::size_t opposed : opposites.of(m)) {
+      sum = sum + shares.of(from, opposed);
+      from = opposed + 1;
     }
-    const std::size_t i = corner_index(face(number), group.corner);
-    tangents_[3 * static_cast<std::size_t>(number) + i] = {shared ? *shared : average(group, members),
-                                                           group.preserving ? 1.0 : -1.0};
+    sum = from == 0 ? shares.total() : sum + shares.of(from, members.size());
+    tangents_[3 * static_cast<std::size_t>(members[m].face) + members[m].corner] = {unit_or_as_is(sum),
+                                                                                    group.preserving ? 1.0 : -1.0};
   }
 }
 
@@ -255,7 +343,7 @@ void Generator::copy_to_degenerate() {
 
 std::vector<Tangent> generate_tangents(std::span<const TangentCorner> corners) { return Generator(corners).run(); }
 
-void add_tangents(Mesh& mesh) {
+void add_tangents(Mesh& mesh, const std::vector<bool>& keep) {
   std::vector<TangentCorner> corners;
   corners.reserve(3 * mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) {
@@ -271,7 +359,8 @@ void add_tangents(Mesh& mesh) {
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t old = mesh.triangles[n][i];
-      const Tangent& t = tangents[3 * n + i];
+      const bool kept = !keep.empty() && keep[old];
+      const Tangent t = kept ? Tangent{mesh.vertices[old].T, mesh.vertices[old].sign} : tangents[3 * n + i];
       const auto [entry, is_new] =
           known.try_emplace({old, t.T.x, t.T.y, t.T.z, t.sign}, static_cast<std::uint32_t>(vertices.size()));
       if (is_new) {

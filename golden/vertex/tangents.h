@@ -26,8 +26,8 @@ struct Tangent {
 // equal and the triangles are joined by edges and turned the same way in uv.
 std::vector<Tangent> generate_tangents(std::span<const TangentCorner> corners);
 
-// Gives T and sign to every vertex of the mesh from its uv (v growing down in the image); a vertex whose corners get
-// different tangents is split.
-void add_tangents(Mesh& mesh);
+// Gives T and sign to every vertex of the mesh from its uv (v growing down in the image), but for those marked in
+// `keep`, which may be empty; a vertex whose corners get different tangents is split.
+void add_tangents(Mesh& mesh, const std::vector<bool>& keep = {});
 
 }  // namespace wrinkle

@@ -1,7 +1,6 @@
 #include "golden/vertex/tessellate.h"
 
 #include <algorithm>
-#include <map>
 
 #include "golden/vertex/surfaces.h"
 
@@ -10,7 +9,7 @@ namespace {
 
 Vertex surface_vertex(const Surface& surface, double u, double v) {
   const SurfacePoint s = surface.at(u, v);
-  return {s.P, s.N, surface_tangent(surface, u, v, s.N), 1, {u, 1 - v}, {u, v}, s.Pu, s.Pv};
+  return {s.P, s.N, surface_tangent(surface, u, v, s.N), 1, {u, 1 - v}, {u, v}, s.Pu, s.Pv, {1, 1, 1}};
 }
 
 void add_triangle(Mesh& mesh, std::uint32_t surface, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -49,11 +48,6 @@ void add_triangles(Mesh& mesh, std::uint32_t surface, int nu, int nv) {
       add_triangle(mesh, surface, corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
     }
   }
-}
-
-double corner_angle(Vec3 at, Vec3 a, Vec3 b) {
-  const Vec3 x = a - at, y = b - at;
-  return std::atan2(length(cross(x, y)), dot(x, y));
 }
 
 }  // namespace
@@ -108,23 +102,9 @@ Surfaces make_cube() {
   return faces;
 }
 
-void smooth_normals(Mesh& mesh) {
-  const auto before = [](const Vec3& a, const Vec3& b) {
-    return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
-  };
-  std::map<Vec3, Vec3, decltype(before)> sums(before);
-  for (const auto& triangle : mesh.triangles) {
-    const Vec3 p[3] = {mesh.vertices[triangle[0]].P, mesh.vertices[triangle[1]].P, mesh.vertices[triangle[2]].P};
-    const Vec3 n = normalize(cross(p[1] - p[0], p[2] - p[0]));
-    for (std::size_t i = 0; i < 3; ++i) {
-      Vec3& sum = sums[p[i]];
-      sum = sum + corner_angle(p[i], p[(i + 1) % 3], p[(i + 2) % 3]) * n;
-    }
-  }
-  for (Vertex& vertex : mesh.vertices) {
-    const Vec3 n = normalize(sums[vertex.P]);
-    vertex.N = n == Vec3{} ? Vec3{0, 0, 1} : n;  // in no triangle, or among triangles that cancel out
-  }
+double corner_angle(Vec3 at, Vec3 a, Vec3 b) {
+  const Vec3 x = a - at, y = b - at;
+  return std::atan2(length(cross(x, y)), dot(x, y));
 }
 
 void flat_normals(Mesh& mesh) {

@@ -29,8 +29,8 @@ Surfaces make_wall(double width, double height);  // facing +z, standing on y = 
 Surfaces make_floor(double width, double depth);  // in the plane y = 0, facing up; the image's top is far away (-z)
 Surfaces make_cube();                             // six faces, seen upright from outside, lid and base by the x axis
 
-// Normals by the angles of the triangles around each position: smooth wherever positions are equal.
-void smooth_normals(Mesh& mesh);
+// The angle at `at` of a triangle with the other corners a and b.
+double corner_angle(Vec3 at, Vec3 a, Vec3 b);
 // Normals of the triangles themselves: every triangle gets corners of its own.
 void flat_normals(Mesh& mesh);
 

@@ -26,8 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-void say(const std::string& message) { fmt::print(stderr, "wrinkle: {}\n", message); }
-
 // Every choice of a configuration by name: what the page filters by.
 json choices(const Config& config) {
   json result;

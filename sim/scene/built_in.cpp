@@ -32,16 +32,16 @@ Surfaces surfaces_of(const TomlTable& table, Kind kind) {
   reject(table, kind != kFloor && kind != kWall, "size", "floor and wall");
   reject(table, kind != kSphere, "radius", "sphere");
   reject(table, kind != kTorus, "radii", "torus");
-  const auto size = [&] { return table.numbers("size", 2, 1e-3, 1e4, std::vector<double>{1, 1}); };
+  const auto size = [&] { return table.numbers("size", 2, 1e-9, 1e9, std::vector<double>{1, 1}); };
   switch (kind) {
     case kPatch:
       return {stretched_patch()};
     case kTeapot:
       return teapot();
     case kSphere:
-      return {std::make_shared<Sphere>(table.number("radius", 1e-3, 1e4, 1))};
+      return {std::make_shared<Sphere>(table.number("radius", 1e-9, 1e9, 1))};
     case kTorus: {
-      const auto radii = table.numbers("radii", 2, 1e-3, 1e4, std::vector<double>{1, 0.4});
+      const auto radii = table.numbers("radii", 2, 1e-9, 1e9, std::vector<double>{1, 0.4});
       if (radii[1] >= radii[0]) {
         throw InputError(table.place("radii"), "a tube as wide as its ring", "radii = [ring, tube] with tube < ring");
       }

@@ -18,12 +18,17 @@ Bounds bounds_of(const std::vector<Object>& objects) {
   bool any = false;
   Bounds b{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
   for (const Object& object : objects) {
-    for (const Vertex& vertex : object.mesh.vertices) {
-      const Vec3 p = transform_point(object.to_world, vertex.P);
-      if (!any) b = {p, p};
-      any = true;
-      b.low = {std::min(b.low.x, p.x), std::min(b.low.y, p.y), std::min(b.low.z, p.z)};
-      b.high = {std::max(b.high.x, p.x), std::max(b.high.y, p.y), std::max(b.high.z, p.z)};
+    for (const auto& triangle : object.mesh.triangles) {
+      const Vec3 p[3] = {object.mesh.vertices[triangle[0]].P, object.mesh.vertices[triangle[1]].P,
+                         object.mesh.vertices[triangle[2]].P};
+      if (cross(p[1] - p[0], p[2] - p[0]) == Vec3{}) continue;
+      for (const Vec3& local : p) {
+        const Vec3 q = transform_point(object.to_world, local);
+        if (!any) b = {q, q};
+        any = true;
+        b.low = {std::min(b.low.x, q.x), std::min(b.low.y, q.y), std::min(b.low.z, q.z)};
+        b.high = {std::max(b.high.x, q.x), std::max(b.high.y, q.y), std::max(b.high.z, q.z)};
+      }
     }
   }
   return b;
@@ -31,7 +36,7 @@ Bounds bounds_of(const std::vector<Object>& objects) {
 
 Camera framing_camera(const Bounds& bounds) {
   constexpr double kHalfAngle = 17.5 * std::numbers::pi / 180;
-  const double radius = std::max(bounds.radius(), 1e-6);
+  const double radius = bounds.radius() > 0 ? bounds.radius() : 1;
   const double distance = radius / std::sin(kHalfAngle);
   Camera camera;
   camera.perspective = true;

@@ -10,14 +10,14 @@ namespace wrinkle {
 
 inline constexpr std::size_t kMaximumTriangles = std::size_t{1} << 24;  // of a scene
 inline constexpr std::size_t kMaximumObjects = 65536;
-inline constexpr double kMaximumCoordinate = 1e9;
+inline constexpr double kMaximumCoordinate = 1e12;
 
 struct Bounds {
   Vec3 low, high;
   Vec3 centre() const { return 0.5 * (low + high); }
   double radius() const { return 0.5 * length(high - low); }
 };
-// Of every vertex in world space; of a scene without one, a unit box.
+// Of what is drawn, the triangles that have an area, in world space; where there is none, a unit box.
 Bounds bounds_of(const std::vector<Object>& objects);
 
 // A perspective camera, 35 degrees high, that holds the whole scene, a little from the right and above the +z axis.

@@ -10,7 +10,7 @@ namespace wrinkle {
 namespace {
 
 constexpr std::size_t kMaximumCount = std::size_t{1} << 26;  // elements of one accessor
-constexpr double kMaximumMagnitude = 1e9;
+constexpr double kMaximumMagnitude = 1e12;
 
 // Where the elements lie. Constructed only when every byte of them is inside the buffer.
 struct Span {
@@ -96,10 +96,10 @@ double checked_float(const GltfFile& file, double value, std::size_t element, co
   if (std::isnan(value)) fault = "NaN";
   if (std::isinf(value)) fault = "infinity";
   if (value != 0 && std::abs(value) < static_cast<double>(FLT_MIN)) fault = "a denormal number";
-  if (fault == nullptr && std::abs(value) > kMaximumMagnitude) fault = "a number over 1e9";
+  if (fault == nullptr && std::abs(value) > kMaximumMagnitude) fault = "a number over 1e12";
   if (fault == nullptr) return value + 0.0;
   throw InputError(file.place(pointer), std::string(fault) + " in element " + std::to_string(element),
-                   "finite numbers of at most 1e9");
+                   "finite numbers of at most 1e12");
 }
 
 const tinygltf::Accessor& checked_accessor(const GltfFile& file, int index, int components,
@@ -162,7 +162,7 @@ AccessorData read_accessor(const GltfFile& file, int index, int components, cons
   const std::string own = "/accessors/" + std::to_string(index);
   const std::size_t bytes = component_bytes(file, accessor.componentType, own);
   const auto per_element = static_cast<std::size_t>(components);
-  const bool zeros = accessor.bufferView < 0 && accessor.sparse.isSparse;  // what sparse accessors start from
+  const bool zeros = accessor.bufferView == -1;  // also what sparse accessors start from
   Span span;
   if (!zeros) {
     span = checked_span(file, accessor.bufferView, accessor.byteOffset, accessor.count, bytes * per_element, own);

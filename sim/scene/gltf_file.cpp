@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <utility>
 
 #include "sim/scene/files.h"
+#include "sim/scene/uri.h"
 
 namespace wrinkle {
 namespace {
@@ -43,6 +46,10 @@ void check_binary_container(std::string_view bytes, const Place& place) {
   }
 }
 
+std::string_view without_mark(std::string_view text) {
+  return text.starts_with("\xef\xbb\xbf"sv) ? text.substr(3) : text;
+}
+
 std::string one_line(std::string text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -55,62 +62,179 @@ bool keep_encoded_image(tinygltf::Image* image, const int, std::string*, std::st
   return true;
 }
 
-// tinygltf opens buffers through these; a buffer that is missing or no regular file is our own error.
-tinygltf::FsCallbacks file_callbacks(fs::path& path) {
+using nlohmann::json;
+
+// JSON of at most this depth: all that follows walks it by recursion.
+json parse_json(std::string_view text, const Place& place) {
+  constexpr int kMaximumDepth = 512;
+  const auto check_depth = [&](int depth, json::parse_event_t, json&) {
+    if (depth > kMaximumDepth)
+      throw InputError(place, "JSON nested deeper than " + std::to_string(kMaximumDepth), "less");
+    return true;
+  };
+  try {
+    json parsed = json::parse(text, check_depth);
+    if (!parsed.is_object()) throw InputError(place, "no sound glTF (no JSON object)", "glTF 2.0");
+    return parsed;
+  } catch (const json::exception& error) {
+    throw InputError(place, "no sound glTF (" + one_line(error.what()) + ")", "glTF 2.0");
+  }
+}
+
+// Integers that are written as 3.0, which JSON takes for the same number, and tinygltf does not.
+void make_integers(json& value) {
+  if (value.is_structured()) {
+    for (json& element : value) make_integers(element);
+  } else if (value.is_number_float()) {
+    const double number = value.get<double>();
+    if (number == std::floor(number) && std::abs(number) < 9e15) value = static_cast<std::int64_t>(number);
+  }
+}
+
+// The string `key` of an object, empty where there is none.
+std::string string_of(const json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return object.is_object() && found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+// The elements of an array of the document, none where it is no array.
+template <typename Visitor>
+void for_each_element(json& document, const char* key, const Visitor& visit) {
+  const auto found = document.find(key);
+  if (found == document.end() || !found->is_array()) return;
+  for (std::size_t i = 0; i < found->size(); ++i) visit((*found)[i], i);
+}
+
+std::string read_buffer(const GltfFile& file, const std::string& uri, const Place& place) {
+  if (!is_data_uri(uri)) return read_file(find_uri(file.path.parent_path(), uri, place));
+  DataUri data = decode_data_uri(uri, place);
+  const bool is_binary =
+      data.media_type.empty() || data.media_type.starts_with("application/") || data.media_type == "text/plain";
+  if (is_binary && !data.media_type.starts_with("application/json")) return std::move(data.bytes);
+  throw InputError(place, "a buffer of the media type \"" + data.media_type.substr(0, 60) + "\"",
+                   "\"application/octet-stream\" or \"application/gltf-buffer\"");
+}
+
+// The bytes of each buffer; `chunk` is the binary one of a .glb. In the document numbers stand for the URIs after this,
+// which load_from_memory() resolves.
+std::vector<std::string> take_buffers(GltfFile& file, std::string&& chunk, bool binary) {
+  std::vector<std::string> buffers;
+  for_each_element(file.json, "buffers", [&](json& buffer, std::size_t i) {
+    const std::string pointer = "/buffers/" + std::to_string(i);
+    const std::string uri = string_of(buffer, "uri");
+    if (uri.empty() && !(binary && i == 0)) throw InputError(file.place(pointer), "a buffer without uri", "a uri");
+    buffers.push_back(uri.empty() ? std::move(chunk) : read_buffer(file, uri, file.place(pointer + "/uri")));
+    const auto length = buffer.is_object() ? buffer.find("byteLength") : buffer.end();
+    if (!buffer.is_object() || length == buffer.end() || !length->is_number_unsigned()) {
+      throw InputError(file.place(pointer + "/byteLength"), "no length", "the number of bytes");
+    }
+    const auto size = length->get<std::uint64_t>();
+    if (size < 1 || size > buffers.back().size()) {
+      throw InputError(file.place(pointer + "/byteLength"), std::to_string(size) + " bytes",
+                       "1 to " + std::to_string(buffers.back().size()) + ", what there is");
+    }
+    buffers.back().resize(size);
+    buffer["uri"] = std::to_string(i);
+  });
+  return buffers;
+}
+
+void take_images(GltfFile& file) {
+  for_each_element(file.json, "images", [&](json& image, std::size_t) {
+    file.image_uris.push_back(string_of(image, "uri"));
+    if (!file.image_uris.back().empty()) image["uri"] = "image";
+  });
+}
+
+void load_from_memory(GltfFile& file, std::vector<std::string> buffers) {
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(keep_encoded_image, nullptr);
   tinygltf::FsCallbacks callbacks;
   callbacks.FileExists = [](const std::string&, void*) { return true; };
   callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
   callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& name, void* user) {
-    const Place place{static_cast<const fs::path*>(user)->string(), 0, 0, "/buffers"};
-    const std::string bytes = read_file(find_file({}, name, place));
+    const std::string& bytes = (*static_cast<std::vector<std::string>*>(user))[std::stoul(name)];
     out->assign(bytes.begin(), bytes.end());
     return true;
   };
   callbacks.WriteWholeFile = nullptr;
-  callbacks.user_data = &path;
-  return callbacks;
+  callbacks.user_data = &buffers;
+  loader.SetFsCallbacks(callbacks);
+  std::string error, warning;
+  bool loaded = false;
+  try {
+    const std::string text = file.json.dump();
+    loaded =
+        loader.LoadASCIIFromString(&file.model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), "");
+  } catch (const std::exception& exception) {
+    error = exception.what();
+  }
+  if (!loaded) throw InputError(file.place(""), "no sound glTF (" + one_line(error) + ")", "glTF 2.0");
 }
 
-void check_extensions(const GltfFile& file) {
-  constexpr std::array kKnown = {"KHR_lights_punctual"sv, "KHR_mesh_quantization"sv};
-  for (std::size_t i = 0; i < file.model.extensionsRequired.size(); ++i) {
-    const std::string& name = file.model.extensionsRequired[i];
-    if (std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end()) continue;
-    throw InputError(file.place("/extensionsRequired/" + std::to_string(i)), "\"" + name + "\"",
-                     "KHR_lights_punctual or KHR_mesh_quantization");
+void check_required_extensions(const GltfFile& file) {
+  const auto required = file.json.find("extensionsRequired");
+  if (required == file.json.end() || !required->is_array()) return;
+  for (std::size_t i = 0; i < required->size(); ++i) {
+    const std::string name = (*required)[i].is_string() ? (*required)[i].get<std::string>() : (*required)[i].dump();
+    if (is_applied_extension(name)) continue;
+    const bool packed =
+        name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression" || name == "KHR_texture_basisu";
+    throw InputError(file.place("/extensionsRequired/" + std::to_string(i)),
+                     "the required extension \"" + shortened(name) + "\", which is not known",
+                     packed ? "a file without it: export or convert it uncompressed" : "a file that does without it");
+  }
+}
+
+// Every extension that is not applied, where it is first and how often. `pointer` grows with the walk.
+void note_extensions(const json& value, const std::string& pointer, const GltfFile& file, PassedOver& passed_over) {
+  if (!value.is_structured()) return;
+  for (const auto& [key, element] : value.items()) {
+    const std::string inner = pointer + "/" + key.substr(0, 80);
+    if (key == "extras") continue;
+    note_extensions(element, inner, file, passed_over);
+    if (!value.is_object() || key != "extensions" || !element.is_object()) continue;
+    for (const auto& [name, content] : element.items()) {
+      if (!is_applied_extension(name)) {
+        passed_over.see("the extension " + name.substr(0, 80) + " is not applied", file.place(inner));
+      }
+    }
   }
 }
 
 }  // namespace
 
-GltfFile load_gltf(const fs::path& path) {
-  GltfFile file{path, {}};
-  const Place place{path.string(), 0, 0, {}};
-  const std::string bytes = read_file(path);
-  const bool binary = extension_of(path) == ".glb" || std::string_view(bytes).starts_with("glTF"sv);
-  if (binary) check_binary_container(bytes, place);
+bool is_applied_extension(const std::string& name) {
+  constexpr std::array kApplied = {"KHR_lights_punctual"sv,   "KHR_mesh_quantization"sv,
+                                   "KHR_texture_transform"sv, "KHR_materials_pbrSpecularGlossiness"sv,
+                                   "EXT_texture_webp"sv,      "MSFT_texture_dds"sv};
+  return std::find(kApplied.begin(), kApplied.end(), name) != kApplied.end();
+}
 
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(keep_encoded_image, nullptr);
-  loader.SetFsCallbacks(file_callbacks(file.path));
-  std::string error, warning;
-  bool loaded = false;
-  const auto size = static_cast<unsigned>(bytes.size());
-  const std::string folder = path.parent_path().string();
-  try {
-    loaded = binary ? loader.LoadBinaryFromMemory(&file.model, &error, &warning,
-                                                  reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-                    : loader.LoadASCIIFromString(&file.model, &error, &warning, bytes.data(), size, folder);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& exception) {
-    error = exception.what();
+GltfFile load_gltf(const fs::path& path, Notes& notes) {
+  GltfFile file{path, {}, {}, {}};
+  const Place place{path.string(), 0, 0, {}};
+  std::string bytes = read_file(path);
+  const bool binary = extension_of(path) == ".glb" || std::string_view(bytes).starts_with("glTF"sv);
+  std::string chunk;
+  if (binary) {
+    check_binary_container(bytes, place);
+    const std::size_t length = word_at(bytes, 12), next = 20 + length;
+    if (next + 8 <= bytes.size()) chunk = bytes.substr(next + 8, word_at(bytes, next));
+    bytes = bytes.substr(20, length);
   }
-  if (!loaded) throw InputError(place, "no sound glTF (" + one_line(error) + ")", "glTF 2.0");
+  file.json = parse_json(without_mark(bytes), place);
+  make_integers(file.json);
+  check_required_extensions(file);
+  std::vector<std::string> buffers = take_buffers(file, std::move(chunk), binary);
+  take_images(file);
+  load_from_memory(file, std::move(buffers));
   if (!file.model.asset.version.starts_with("2.")) {
     throw InputError(file.place("/asset/version"), "\"" + file.model.asset.version + "\"", "\"2.0\"");
   }
-  check_extensions(file);
+  PassedOver passed_over;
+  note_extensions(file.json, "", file, passed_over);
+  passed_over.add_to(notes);
   return file;
 }
 
@@ -123,33 +247,41 @@ int checked_index(const GltfFile& file, int index, std::size_t size, const std::
                        : "0 to " + std::to_string(size - 1) + ", for there are " + std::to_string(size) + " " + what);
 }
 
-std::string decode_uri(const std::string& uri, const Place& place) {
-  const std::size_t colon = uri.find(':');
-  if (colon != std::string::npos && colon < uri.find('/')) {
-    throw InputError(place, "the URI \"" + uri.substr(0, 60) + "\"", "a path relative to the file");
+namespace {
+
+// Bytes of an image that is embedded, empty for one in a file of its own.
+std::string embedded_image(const GltfFile& file, std::size_t image, const Place& place) {
+  const std::string& uri = file.image_uris[image];
+  const std::vector<unsigned char>& bytes = file.model.images[image].image;
+  if (!uri.empty() && !is_data_uri(uri)) return {};
+  if (uri.empty() && bytes.empty()) throw InputError(place, "neither uri nor bufferView with bytes", "one of them");
+  if (uri.empty()) return {bytes.begin(), bytes.end()};
+  DataUri data = decode_data_uri(uri, place);
+  const bool is_image =
+      data.media_type.empty() || data.media_type.starts_with("image/") || data.media_type == "application/octet-stream";
+  if (!is_image) {
+    throw InputError(place, "an image of the media type \"" + data.media_type.substr(0, 60) + "\"", "\"image/...\"");
   }
-  const auto digit = [](char c) {
-    return c >= '0' && c <= '9' ? c - '0' : 10 + (std::tolower(static_cast<unsigned char>(c)) - 'a');
-  };
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool escaped = uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[i + 1])) &&
-                         std::isxdigit(static_cast<unsigned char>(uri[i + 2]));
-    name += escaped ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
-    if (escaped) i += 2;
-  }
-  return name;
+  if (data.bytes.empty()) throw InputError(place, "an image without bytes", "an embedded image");
+  return std::move(data.bytes);
 }
 
+}  // namespace
+
 Image read_gltf_image(const GltfFile& file, int image) {
-  const std::string pointer = "/images/" + std::to_string(image);
-  const tinygltf::Image& source = file.model.images[static_cast<std::size_t>(image)];
-  if (!source.image.empty()) {
-    return read_image(std::string(source.image.begin(), source.image.end()), file.place(pointer));
-  }
-  if (source.uri.empty()) throw InputError(file.place(pointer), "neither uri nor bufferView with bytes", "one of them");
-  const Place place = file.place(pointer + "/uri");
-  return read_image(find_file(file.path.parent_path(), decode_uri(source.uri, place), place));
+  const auto at = static_cast<std::size_t>(image);
+  const Place place = file.place("/images/" + std::to_string(image) + "/uri");
+  const std::string bytes = embedded_image(file, at, place);
+  return bytes.empty() ? read_image(find_uri(file.path.parent_path(), file.image_uris[at], place))
+                       : read_image(bytes, place);
+}
+
+Image read_gltf_normal_map(const GltfFile& file, int image, Notes& notes) {
+  const auto at = static_cast<std::size_t>(image);
+  const Place place = file.place("/images/" + std::to_string(image) + "/uri");
+  const std::string bytes = embedded_image(file, at, place);
+  return bytes.empty() ? read_normal_map(find_uri(file.path.parent_path(), file.image_uris[at], place), notes)
+                       : read_normal_map(bytes, place, notes);
 }
 
 }  // namespace wrinkle

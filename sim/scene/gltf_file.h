@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+// Before tinygltf, which hides the symbols of what it includes.
+#include <nlohmann/json.hpp>
+
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE
@@ -15,26 +18,29 @@
 
 namespace wrinkle {
 
+// Extensions that are applied; all others are noted, or, where the file requires them, an error.
+bool is_applied_extension(const std::string& name);
+
 struct GltfFile {
   std::filesystem::path path;
+  nlohmann::json json;                  // as written, but for the URIs
+  std::vector<std::string> image_uris;  // empty where the image has none
   tinygltf::Model model;
 
   // A place in the JSON, such as /accessors/3/count.
   Place place(const std::string& pointer) const { return {path.string(), 0, 0, pointer}; }
 };
 
-// Parses .gltf (text) or .glb (binary), with its buffers; images are left for read_gltf_image(). Extensions that the
-// file requires and we do not know are an error.
-GltfFile load_gltf(const std::filesystem::path& path);
+// Parses .gltf (text) or .glb (binary), with its buffers; images are left for read_gltf_image(). Extensions that are
+// used and not applied are noted; those that the file requires are an error.
+GltfFile load_gltf(const std::filesystem::path& path, Notes& notes);
 
 // `index` if it is in [0, size), else an error at `pointer`: "found index 7 of 3 meshes".
 int checked_index(const GltfFile& file, int index, std::size_t size, const std::string& what,
                   const std::string& pointer);
 
 Image read_gltf_image(const GltfFile& file, int image);
-
-// A name in a URI: %20 and the like decoded. Schemes other than a relative path are an error.
-std::string decode_uri(const std::string& uri, const Place& place);
+Image read_gltf_normal_map(const GltfFile& file, int image, Notes& notes);
 
 struct AccessorData {
   std::size_t count = 0;
@@ -46,8 +52,9 @@ struct AccessorData {
   }
 };
 
-// The values of an accessor, normalized integers as fractions, sparse substitution done. Checked before any memory is
-// taken: component type, bounds, stride, count; and every float is finite and of at most 1e9.
+// The values of an accessor, normalized integers as fractions, sparse substitution done; zeros where it has no
+// bufferView. Checked before any memory is
+// taken: component type, bounds, stride, count; and every float is finite and of at most 1e12.
 // `components` is what it must have, `pointer` who refers to it.
 AccessorData read_accessor(const GltfFile& file, int accessor, int components, const std::string& pointer);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "sim/scene/gltf_parts.h"
 #include "sim/scene/textures.h"
@@ -8,11 +10,80 @@
 namespace wrinkle {
 namespace {
 
-// Index of the image that a texture shows; `pointer` is who refers to the texture.
-int image_of(const GltfFile& file, int texture, const std::string& pointer) {
-  const int t = checked_index(file, texture, file.model.textures.size(), "textures", pointer + "/index");
-  return checked_index(file, file.model.textures[static_cast<std::size_t>(t)].source, file.model.images.size(),
-                       "images", "/textures/" + std::to_string(t) + "/source");
+using nlohmann::json;
+
+// An element of the document by its pointer; null where there is none.
+const json& element_of(const GltfFile& file, const std::string& pointer) {
+  static const json kNone;
+  const json::json_pointer at(pointer);
+  return file.json.contains(at) ? file.json.at(at) : kNone;
+}
+
+double number_of(const GltfFile& file, const std::string& pointer, double standard, double minimum, double maximum) {
+  const json& value = element_of(file, pointer);
+  if (value.is_null()) return standard;
+  const std::string key = pointer.substr(pointer.rfind('/') + 1);
+  if (!value.is_number()) throw InputError(file.place(pointer), value.dump().substr(0, 60), "a number");
+  return checked_number(value.get<double>(), minimum, maximum, key, file.place(pointer));
+}
+
+// `standard` where there is no array, else as many numbers.
+std::vector<double> numbers_of(const GltfFile& file, const std::string& pointer, std::vector<double> standard,
+                               double minimum, double maximum) {
+  const json& value = element_of(file, pointer);
+  if (value.is_null()) return standard;
+  if (!value.is_array() || value.size() != standard.size()) {
+    throw InputError(file.place(pointer), shortened(value.dump()), std::to_string(standard.size()) + " numbers");
+  }
+  for (std::size_t i = 0; i < standard.size(); ++i) {
+    standard[i] = number_of(file, pointer + "/" + std::to_string(i), 0, minimum, maximum);
+  }
+  return standard;
+}
+
+int index_of(const GltfFile& file, const std::string& pointer, int standard) {
+  return static_cast<int>(number_of(file, pointer, standard, -1, 2147483647.0));
+}
+
+// How a material uses a texture.
+struct TextureUse {
+  int texture = -1;
+  int uv_set = 0;
+  UvTransform transform;
+  std::string pointer;
+};
+
+std::optional<TextureUse> texture_use(const GltfFile& file, const std::string& pointer) {
+  if (!element_of(file, pointer).is_object()) return std::nullopt;
+  const std::string extension = pointer + "/extensions/KHR_texture_transform";
+  TextureUse use{index_of(file, pointer + "/index", -1), index_of(file, pointer + "/texCoord", 0), {}, pointer};
+  checked_index(file, use.texture, file.model.textures.size(), "textures", pointer + "/index");
+  use.uv_set = index_of(file, extension + "/texCoord", use.uv_set);
+  if (use.uv_set < 0 || use.uv_set > 7) {
+    throw InputError(file.place(pointer + "/texCoord"), std::to_string(use.uv_set), "0 to 7");
+  }
+  const std::vector<double> offset = numbers_of(file, extension + "/offset", {0, 0}, -1e6, 1e6);
+  const std::vector<double> scale = numbers_of(file, extension + "/scale", {1, 1}, -1e6, 1e6);
+  use.transform = {
+      {offset[0], offset[1]}, {scale[0], scale[1]}, number_of(file, extension + "/rotation", 0, -1e6, 1e6)};
+  return use;
+}
+
+// Index of the image that a texture shows: that of an extension for a format that OpenImageIO reads before the plain
+// one, which stands for programs that do not know the extension.
+int image_of(const GltfFile& file, const TextureUse& use) {
+  const std::string pointer = "/textures/" + std::to_string(use.texture);
+  int source = file.model.textures[static_cast<std::size_t>(use.texture)].source;
+  for (const char* name : {"MSFT_texture_dds", "EXT_texture_webp"}) {
+    source = index_of(file, pointer + "/extensions/" + name + "/source", source);
+  }
+  if (source == -1 && !element_of(file, pointer + "/extensions").is_null()) {
+    throw InputError(file.place(pointer + "/extensions"),
+                     "an image in an extension that is not known: " +
+                         shortened(element_of(file, pointer + "/extensions").begin().key()),
+                     "a source that is PNG or JPEG");
+  }
+  return checked_index(file, source, file.model.images.size(), "images", pointer + "/source");
 }
 
 Wrap wrap_of(const GltfFile& file, int mode, const std::string& pointer) {
@@ -48,79 +119,123 @@ int exponent_of(double roughness) {
   return 1 << std::clamp(static_cast<int>(std::lround(std::log2(std::max(n, 1.0)))), 0, 8);
 }
 
-double roughness_of(const GltfFile& file, const tinygltf::PbrMetallicRoughness& pbr, const std::string& pointer) {
-  const double factor = checked_number(pbr.roughnessFactor, 0, 1, "roughnessFactor", file.place(pointer));
-  if (pbr.metallicRoughnessTexture.index == -1) return factor;
-  const std::string own = pointer + "/metallicRoughnessTexture";
-  return factor * mean_colour(read_gltf_image(file, image_of(file, pbr.metallicRoughnessTexture.index, own))).y;
+double roughness_of(const GltfFile& file, const std::string& pointer, PassedOver& passed_over) {
+  const double factor = number_of(file, pointer + "/roughnessFactor", 1, 0, 1);
+  const auto use = texture_use(file, pointer + "/metallicRoughnessTexture");
+  const double metallic = number_of(file, pointer + "/metallicFactor", use ? 1 : 0, 0, 1);
+  if (metallic > 0) passed_over.see("metallic is not applied", file.place(pointer));
+  if (!use) return factor;
+  passed_over.see("of the texture of roughness only the mean is used", file.place(use->pointer));
+  return factor * mean_colour(read_gltf_image(file, image_of(file, *use))).y;
 }
 
-void check_uv_set(const GltfFile& file, int set, const std::string& pointer) {
-  if (set < 0 || set > 7) throw InputError(file.place(pointer + "/texCoord"), std::to_string(set), "0 to 7");
+// What is lit: base colour, specular colour and exponent.
+Material material_of(const std::vector<double>& base, Vec3 specular, double roughness) {
+  Material material;
+  material.ambient = 0.1 * Vec3{base[0], base[1], base[2]};
+  material.diffuse = 0.85 * Vec3{base[0], base[1], base[2]};
+  material.specular = {std::min(specular.x, 1.0), std::min(specular.y, 1.0), std::min(specular.z, 1.0)};
+  material.exponent = exponent_of(roughness);
+  return material;
+}
+
+Material metallic_roughness(const GltfFile& file, const std::string& pointer, PassedOver& passed_over) {
+  const std::vector<double> base = numbers_of(file, pointer + "/baseColorFactor", {1, 1, 1, 1}, 0, 1);
+  const double roughness = roughness_of(file, pointer, passed_over);
+  const double specular = 0.04 + 0.3 * (1 - roughness);
+  return material_of(base, {specular, specular, specular}, roughness);
+}
+
+Material specular_glossiness(const GltfFile& file, const std::string& pointer, PassedOver& passed_over) {
+  const std::vector<double> base = numbers_of(file, pointer + "/diffuseFactor", {1, 1, 1, 1}, 0, 1);
+  const std::vector<double> f = numbers_of(file, pointer + "/specularFactor", {1, 1, 1}, 0, 1);
+  const double glossiness = number_of(file, pointer + "/glossinessFactor", 1, 0, 1);
+  if (texture_use(file, pointer + "/specularGlossinessTexture")) {
+    passed_over.see("the texture of specular colour and glossiness is not applied", file.place(pointer));
+  }
+  const double lobe = 0.3 * glossiness;
+  return material_of(base, {f[0] + lobe, f[1] + lobe, f[2] + lobe}, 1 - glossiness);
 }
 
 // Normal map and base colour; a base colour on other texture coordinates than the normal map is left out.
-void read_textures(const GltfFile& file, const tinygltf::Material& source, const std::string& pointer,
+void read_textures(const GltfFile& file, const std::string& pointer, const std::string& base_pointer,
                    GltfMaterial& material, Notes& notes) {
-  const auto& normal = source.normalTexture;
-  const auto& base = source.pbrMetallicRoughness.baseColorTexture;
-  const std::string normal_pointer = pointer + "/normalTexture";
-  const std::string base_pointer = pointer + "/pbrMetallicRoughness/baseColorTexture";
+  const auto normal = texture_use(file, pointer + "/normalTexture");
+  const auto base = texture_use(file, base_pointer);
+  material.bump = normal.has_value();
+  material.decal = base.has_value();
+  if (!normal && !base) return;
+  const TextureUse& leading = normal ? *normal : *base;
+  if (normal && base && (base->uv_set != normal->uv_set || base->transform != normal->transform)) {
+    notes.push_back(file.place(base_pointer).text() + ": other texture coordinates than the normal map; left out");
+    material.decal = false;
+  }
+  material.uv_set = leading.uv_set;
+  material.uv_transform = leading.transform;
+  if (normal && material.decal) {
+    read_sampler(file, base->texture, material, notes);
+    const Wrap u = material.wrap_u, v = material.wrap_v;
+    read_sampler(file, normal->texture, material, notes);
+    if (u != material.wrap_u || v != material.wrap_v) {
+      notes.push_back(file.place(base_pointer).text() + ": drawn with the wrap modes of the normal map");
+    }
+  } else {
+    read_sampler(file, leading.texture, material, notes);
+  }
+  const Wraps wraps{material.wrap_u, material.wrap_v};
   MipChain normals;
   std::optional<Image> decal;
-  material.bump = normal.index != -1;
-  material.decal = base.index != -1;
-  if (material.decal) {
-    check_uv_set(file, base.texCoord, base_pointer);
-    const int image = image_of(file, base.index, base_pointer);
-    material.uv_set = base.texCoord;
-    read_sampler(file, base.index, material, notes);
-    decal = read_gltf_image(file, image);
+  if (material.decal) decal = read_gltf_image(file, image_of(file, *base));
+  if (normal) {
+    const double scale = number_of(file, normal->pointer + "/scale", 1, -100, 100);
+    normals = normals_of(read_gltf_normal_map(file, image_of(file, *normal), notes), scale, wraps);
   }
-  if (material.bump) {
-    check_uv_set(file, normal.texCoord, normal_pointer);
-    const double scale = checked_number(normal.scale, -100, 100, "scale", file.place(normal_pointer));
-    normals = normals_of(read_gltf_image(file, image_of(file, normal.index, normal_pointer)), scale);
-    if (material.decal && base.texCoord != normal.texCoord) {
-      notes.push_back(file.place(base_pointer).text() + ": other texture coordinates than the normal map; left out");
-      decal.reset();
-      material.decal = false;
+  material.texture = make_texture(normals, decal, wraps);
+}
+
+// What the file says of the material and is not drawn.
+void note_the_rest(const GltfFile& file, const std::string& pointer, PassedOver& passed_over) {
+  const json& mode = element_of(file, pointer + "/alphaMode");
+  if (mode.is_string() && mode != "OPAQUE") {
+    passed_over.see("alphaMode " + shortened(mode.get<std::string>()) + " is not applied: drawn opaque",
+                    file.place(pointer + "/alphaMode"));
+  }
+  for (const double c : numbers_of(file, pointer + "/emissiveFactor", {0, 0, 0}, 0, 1e6)) {
+    if (c > 0) {
+      passed_over.see("emission is not applied", file.place(pointer + "/emissiveFactor"));
+      break;
     }
-    material.uv_set = normal.texCoord;
-    read_sampler(file, normal.index, material, notes);
   }
-  if (material.bump || material.decal) material.texture = make_texture(normals, decal);
+  if (texture_use(file, pointer + "/occlusionTexture")) {
+    passed_over.see("occlusion is not applied", file.place(pointer + "/occlusionTexture"));
+  }
 }
 
 }  // namespace
 
-GltfMaterial read_gltf_material(const GltfFile& file, int index, const std::string& referrer, Notes& notes) {
+// Rotation, counter-clockwise as the image is seen, which has v downwards.
+Vec2 UvTransform::operator()(Vec2 uv) const {
+  if (*this == UvTransform{}) return uv;
+  const Vec2 s{scale.x * uv.x, scale.y * uv.y};
+  const double c = std::cos(rotation), d = std::sin(rotation);
+  return {c * s.x + d * s.y + offset.x, -d * s.x + c * s.y + offset.y};
+}
+
+GltfMaterial read_gltf_material(const GltfFile& file, int index, const std::string& referrer, PassedOver& passed_over,
+                                Notes& notes) {
   GltfMaterial material;
   if (index == -1) return material;
   checked_index(file, index, file.model.materials.size(), "materials", referrer);
   const std::string pointer = "/materials/" + std::to_string(index);
-  const tinygltf::Material& source = file.model.materials[static_cast<std::size_t>(index)];
-  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
-  const std::string pbr_pointer = pointer + "/pbrMetallicRoughness";
-  if (pbr.baseColorFactor.size() != 4) {
-    throw InputError(file.place(pbr_pointer + "/baseColorFactor"),
-                     std::to_string(pbr.baseColorFactor.size()) + " numbers", "4");
-  }
-  std::array<double, 3> base{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    base[i] = checked_number(pbr.baseColorFactor[i], 0, 1, "baseColorFactor", file.place(pbr_pointer));
-  }
-  const double roughness = roughness_of(file, pbr, pbr_pointer);
-  const double specular = 0.04 + 0.3 * (1 - roughness);
-  material.material.ambient = 0.1 * Vec3{base[0], base[1], base[2]};
-  material.material.diffuse = 0.85 * Vec3{base[0], base[1], base[2]};
-  material.material.specular = {specular, specular, specular};
-  material.material.exponent = exponent_of(roughness);
-  material.double_sided = source.doubleSided;
-  if (source.alphaMode != "OPAQUE" && !source.alphaMode.empty()) {
-    notes.push_back(file.place(pointer + "/alphaMode").text() + ": drawn opaque");
-  }
-  read_textures(file, source, pointer, material, notes);
+  const std::string metallic = pointer + "/pbrMetallicRoughness";
+  const std::string glossy = pointer + "/extensions/KHR_materials_pbrSpecularGlossiness";
+  const bool is_glossy = element_of(file, glossy).is_object();
+  material.material =
+      is_glossy ? specular_glossiness(file, glossy, passed_over) : metallic_roughness(file, metallic, passed_over);
+  material.double_sided = file.model.materials[static_cast<std::size_t>(index)].doubleSided;
+  note_the_rest(file, pointer, passed_over);
+  read_textures(file, pointer, is_glossy ? glossy + "/diffuseTexture" : metallic + "/baseColorTexture", material,
+                notes);
   return material;
 }
 

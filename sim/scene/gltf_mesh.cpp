@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "golden/vertex/tangents.h"
 #include "golden/vertex/tessellate.h"
 #include "sim/scene/gltf_parts.h"
+#include "sim/scene/normals.h"
 
 namespace wrinkle {
 namespace {
@@ -31,6 +31,25 @@ class PrimitiveReader {
 
   bool has(const std::string& attribute) const { return primitive_.attributes.contains(attribute); }
 
+  // Attributes that change the picture and are not read.
+  void note_attributes(int uv_set, PassedOver& passed_over) const {
+    for (const auto& [name, accessor] : primitive_.attributes) {
+      const Place place = file_.place(pointer_ + "/attributes/" + name.substr(0, 80));
+      if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) {
+        passed_over.see("skins are not applied; the mesh is drawn in its rest pose", place);
+      } else if (name.starts_with("COLOR_") && name != "COLOR_0") {
+        passed_over.see(name.substr(0, 80) + " is not applied", place);
+      }
+    }
+    if (!primitive_.targets.empty()) {
+      passed_over.see("morph targets are not applied", file_.place(pointer_ + "/targets"));
+    }
+    if (uv_set > 0 && has("TEXCOORD_0")) {
+      passed_over.see("of several texture coordinates TEXCOORD_" + std::to_string(uv_set) + " alone is used",
+                      file_.place(pointer_ + "/attributes"));
+    }
+  }
+
   void read_positions(Mesh& mesh) const {
     if (!has("POSITION")) throw InputError(file_.place(pointer_ + "/attributes"), "no POSITION", "one");
     const AccessorData data = read("POSITION", 3);
@@ -45,20 +64,36 @@ class PrimitiveReader {
     }
   }
 
-  void read_uv(Mesh& mesh, const std::string& attribute) const {
+  void read_uv(Mesh& mesh, const std::string& attribute, const UvTransform& transform) const {
     const AccessorData data = read_for(attribute, 2, mesh);
-    for (std::size_t i = 0; i < data.count; ++i) mesh.vertices[i].uv = {data.at(i, 0), data.at(i, 1)};
+    for (std::size_t i = 0; i < data.count; ++i) mesh.vertices[i].uv = transform(Vec2{data.at(i, 0), data.at(i, 1)});
   }
 
-  // Made orthogonal to N, which interpolation in the exporter may have spoilt.
-  void read_tangents(Mesh& mesh) const {
+  // Made orthogonal to N, which interpolation in the exporter may have spoilt. Marks those that have a direction and a
+  // side; the others are left for the texture coordinates to say.
+  std::vector<bool> read_tangents(Mesh& mesh) const {
     const AccessorData data = read_for("TANGENT", 4, mesh);
+    std::vector<bool> usable(data.count);
     for (std::size_t i = 0; i < data.count; ++i) {
       Vertex& vertex = mesh.vertices[i];
-      const Vec3 T{data.at(i, 0), data.at(i, 1), data.at(i, 2)};
+      const Vec3 T = normalize(Vec3{data.at(i, 0), data.at(i, 1), data.at(i, 2)});
+      usable[i] = length(T - dot(T, vertex.N) * vertex.N) > 1e-6 && data.at(i, 3) != 0;
+      if (!usable[i]) continue;
       vertex.T = perpendicular(vertex.N, T);
       vertex.sign = data.at(i, 3) < 0 ? -1 : 1;
     }
+    return usable;
+  }
+
+  // Three or four components; opacity is none of the colour.
+  void read_colours(Mesh& mesh) const {
+    const std::string attribute = "COLOR_0";
+    const int accessor = primitive_.attributes.at(attribute);
+    const bool known = accessor >= 0 && static_cast<std::size_t>(accessor) < file_.model.accessors.size();
+    const bool opacity = known && file_.model.accessors[static_cast<std::size_t>(accessor)].type == TINYGLTF_TYPE_VEC4;
+    const AccessorData data = read_for(attribute, opacity ? 4 : 3, mesh);
+    const auto at = [&](std::size_t i, int c) { return std::clamp(data.at(i, c), 0.0, 1.0); };
+    for (std::size_t i = 0; i < data.count; ++i) mesh.vertices[i].colour = {at(i, 0), at(i, 1), at(i, 2)};
   }
 
   std::vector<std::uint32_t> corners(const Mesh& mesh) const {
@@ -89,7 +124,7 @@ class PrimitiveReader {
 }  // namespace
 
 std::optional<Mesh> read_gltf_primitive(const GltfFile& file, int mesh_index, int primitive_index,
-                                        const GltfMaterial& material, Notes& notes) {
+                                        const GltfMaterial& material, PassedOver& passed_over, Notes& notes) {
   const tinygltf::Mesh& source = file.model.meshes[static_cast<std::size_t>(mesh_index)];
   const tinygltf::Primitive& primitive = source.primitives[static_cast<std::size_t>(primitive_index)];
   const std::string pointer =
@@ -99,10 +134,11 @@ std::optional<Mesh> read_gltf_primitive(const GltfFile& file, int mesh_index, in
     throw InputError(file.place(pointer + "/mode"), std::to_string(mode), "0 to 6");
   }
   if (mode < TINYGLTF_MODE_TRIANGLES) {
-    notes.push_back(file.place(pointer).text() + ": points and lines are not drawn");
+    passed_over.see("points and lines are not drawn", file.place(pointer));
     return std::nullopt;
   }
   const PrimitiveReader reader(file, primitive, pointer);
+  reader.note_attributes(material.uv_set, passed_over);
   Mesh mesh;
   mesh.name = source.name;
   reader.read_positions(mesh);
@@ -110,21 +146,30 @@ std::optional<Mesh> read_gltf_primitive(const GltfFile& file, int mesh_index, in
   if (material.texture != nullptr && !reader.has(uv_set)) {
     throw InputError(file.place(pointer + "/attributes"), "no " + uv_set, "one, for the material has a texture");
   }
-  if (reader.has(uv_set)) reader.read_uv(mesh, uv_set);
+  if (reader.has(uv_set)) reader.read_uv(mesh, uv_set, material.uv_transform);
+  if (reader.has("COLOR_0")) reader.read_colours(mesh);
   const std::vector<std::uint32_t> corners = reader.corners(mesh);
   mesh.triangles = assemble_triangles(corners, mode);
   if (mode == TINYGLTF_MODE_TRIANGLES && corners.size() % 3 != 0) {
     throw InputError(file.place(pointer), std::to_string(corners.size()) + " corners", "a multiple of 3");
   }
   const bool own_normals = reader.has("NORMAL");
-  if (own_normals) reader.read_normals(mesh);
+  if (own_normals) {
+    reader.read_normals(mesh);
+    replace_normals_of_no_length(mesh, file.place(pointer + "/attributes/NORMAL"), notes);
+  }
   if (!own_normals) flat_normals(mesh);
   // Without normals a file's tangents are to be ignored (glTF 2.0, section 3.7.2.1).
-  if (own_normals && reader.has("TANGENT")) {
-    reader.read_tangents(mesh);
-  } else if (material.bump) {
-    add_tangents(mesh);
+  std::vector<bool> usable;
+  if (own_normals && reader.has("TANGENT")) usable = reader.read_tangents(mesh);
+  const auto unusable = std::ranges::count(usable, false);
+  if (!material.bump || (!usable.empty() && unusable == 0)) return mesh;
+  if (unusable > 0) {
+    notes.push_back(file.place(pointer + "/attributes/TANGENT").text() + ": " + std::to_string(unusable) +
+                    " tangents of no length, along the normal or without a side are replaced by those of the texture "
+                    "coordinates");
   }
+  add_noted_tangents(mesh, usable, file.place(pointer), notes);
   return mesh;
 }
 

@@ -1,6 +1,8 @@
+#include <iterator>
 #include <map>
 
 #include "golden/vertex/transform.h"
+#include "sim/scene/colours.h"
 #include "sim/scene/gltf_parts.h"
 #include "sim/scene/model.h"
 
@@ -31,29 +33,38 @@ class GltfObjects {
       object.wrap_v = material.wrap_v;
       object.double_sided = material.double_sided;
       decal_ = decal_ || material.decal;
-      objects.push_back(std::move(object));
+      if (mesh.primitives[p].attributes.contains("COLOR_0")) {
+        std::vector<Object> coloured = split_by_colour(std::move(object), file_.place(instance.pointer), notes_);
+        std::move(coloured.begin(), coloured.end(), std::back_inserter(objects));
+      } else {
+        objects.push_back(std::move(object));
+      }
       check_size(objects, file_.place(""));
     }
   }
 
   bool decal() const { return decal_; }
+  const PassedOver& passed_over() const { return passed_over_; }
 
  private:
   const GltfMaterial& material_of(int index, const std::string& pointer) {
     const auto found = materials_.find(index);
     if (found != materials_.end()) return found->second;
-    return materials_.emplace(index, read_gltf_material(file_, index, pointer, notes_)).first->second;
+    return materials_.emplace(index, read_gltf_material(file_, index, pointer, passed_over_, notes_)).first->second;
   }
 
   const std::optional<Mesh>& mesh_of(int mesh, int primitive, const GltfMaterial& material) {
     const auto found = meshes_.find({mesh, primitive});
     if (found != meshes_.end()) return found->second;
-    return meshes_.emplace(std::pair{mesh, primitive}, read_gltf_primitive(file_, mesh, primitive, material, notes_))
+    return meshes_
+        .emplace(std::pair{mesh, primitive},
+                 read_gltf_primitive(file_, mesh, primitive, material, passed_over_, notes_))
         .first->second;
   }
 
   const GltfFile& file_;
   Notes& notes_;
+  PassedOver passed_over_;
   std::map<int, GltfMaterial> materials_;
   std::map<std::pair<int, int>, std::optional<Mesh>> meshes_;
   bool decal_ = false;
@@ -62,8 +73,8 @@ class GltfObjects {
 }  // namespace
 
 Model read_gltf_model(const std::filesystem::path& path, Notes& notes) {
-  const GltfFile file = load_gltf(path);
-  const GltfNodes nodes = read_gltf_nodes(file);
+  const GltfFile file = load_gltf(path, notes);
+  const GltfNodes nodes = read_gltf_nodes(file, notes);
   Model model;
   GltfObjects reader(file, notes);
   for (const GltfInstance& instance : nodes.meshes) {
@@ -74,6 +85,10 @@ Model read_gltf_model(const std::filesystem::path& path, Notes& notes) {
     reader.add(instance, model.objects);
   }
   if (model.objects.empty()) throw InputError(file.place(""), "no triangles in the scene", "at least one mesh");
+  reader.passed_over().add_to(notes);
+  if (!file.model.animations.empty()) {
+    notes.push_back(file.place("/animations").text() + ": animations are not applied");
+  }
   model.decal = reader.decal();
   const Bounds bounds = bounds_of(model.objects);
   if (!nodes.cameras.empty()) {

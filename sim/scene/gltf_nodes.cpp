@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "golden/vertex/transform.h"
@@ -26,9 +27,16 @@ std::vector<double> checked_numbers(const GltfFile& file, const std::vector<doub
 Mat4 matrix_of(const GltfFile& file, const std::vector<double>& columns, const std::string& pointer) {
   Mat4 m;
   for (int i = 0; i < 16; ++i) m(i % 4, i / 4) = columns[static_cast<std::size_t>(i)];
-  if (m(3, 0) != 0 || m(3, 1) != 0 || m(3, 2) != 0 || m(3, 3) != 1) {
+  // Exporters leave rounding errors in the last row; another w scales all.
+  const double w = m(3, 3);
+  const double projective = std::max({std::abs(m(3, 0)), std::abs(m(3, 1)), std::abs(m(3, 2))});
+  if (w == 0 || projective > 1e-6 * std::abs(w)) {
     throw InputError(file.place(pointer), "a matrix that is not affine", "a last row of 0 0 0 1");
   }
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 4; ++c) m(r, c) = w == 1 ? m(r, c) : m(r, c) / w;
+  }
+  for (int c = 0; c < 4; ++c) m(3, c) = c == 3 ? 1 : 0;
   return m;
 }
 
@@ -116,12 +124,36 @@ struct Walk {
   }
 };
 
+// The nodes that are no children.
+void visit_all_roots(Walk& walk) {
+  const auto& nodes = walk.file.model.nodes;
+  std::vector<bool> is_child(nodes.size());
+  for (const tinygltf::Node& node : nodes) {
+    for (const int child : node.children) {
+      if (child >= 0 && static_cast<std::size_t>(child) < nodes.size())
+        is_child[static_cast<std::size_t>(child)] = true;
+    }
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!is_child[i]) walk.visit(static_cast<int>(i), Mat4{}, 0);
+  }
+}
+
 }  // namespace
 
-GltfNodes read_gltf_nodes(const GltfFile& file) {
+GltfNodes read_gltf_nodes(const GltfFile& file, Notes& notes) {
   const tinygltf::Model& model = file.model;
   Walk walk{file, std::vector<bool>(model.nodes.size()), {}};
+  if (!file.json.contains("scenes")) {
+    visit_all_roots(walk);
+    notes.push_back(file.place("/scenes").text() + ": there is no scene; all nodes are drawn");
+    return std::move(walk.nodes);
+  }
   if (model.scenes.empty()) throw InputError(file.place("/scenes"), "no scene", "at least one");
+  if (model.scenes.size() > 1) {
+    notes.push_back(file.place("/scenes").text() + ": of " + std::to_string(model.scenes.size()) +
+                    " scenes only one is drawn");
+  }
   const int chosen =
       checked_index(file, model.defaultScene == -1 ? 0 : model.defaultScene, model.scenes.size(), "scenes", "/scene");
   const std::vector<int>& roots = model.scenes[static_cast<std::size_t>(chosen)].nodes;

@@ -2,11 +2,13 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "sim/scene/files.h"
 
@@ -45,7 +47,7 @@ std::string oiio_error(const OIIO::ImageInput* input) {
   return text.empty() ? "not an image of a known format" : text;
 }
 
-void check_header(const OIIO::ImageSpec& spec, const Place& place) {
+void check_header(const OIIO::ImageSpec& spec, std::size_t channels, const Place& place) {
   const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
   if (spec.width < 1 || spec.height < 1) throw InputError(place, "an image of " + size + " pixels", "at least 1 x 1");
   if (spec.width > kMaximumImageSide || spec.height > kMaximumImageSide) {
@@ -53,8 +55,6 @@ void check_header(const OIIO::ImageSpec& spec, const Place& place) {
   }
   if (spec.depth > 1) throw InputError(place, "a volume of depth " + std::to_string(spec.depth), "an image");
   if (spec.deep) throw InputError(place, "a deep image", "one value for each pixel and channel");
-  if (spec.nchannels < 1) throw InputError(place, "an image without channels", "one to four");
-  const auto channels = static_cast<std::uint64_t>(spec.nchannels >= 3 ? 3 : 1);
   const std::uint64_t bytes =
       channels * static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) * sizeof(float);
   if (bytes > kMaximumImageBytes) {
@@ -77,54 +77,160 @@ void check_finite(const Image& image, const Place& place) {
                    "finite values of at most 1e6");
 }
 
-// Pixel values as floats; grey with alpha, and whatever has fewer than three channels, gives its first channel.
-Image decode(OIIO::ImageInput& input, const Place& place) {
-  check_header(input.spec(), place);
-  Image image;
-  image.width = input.spec().width;
-  image.height = input.spec().height;
-  image.channels = input.spec().nchannels >= 3 ? 3 : 1;
-  image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
-                      static_cast<std::size_t>(image.channels));
-  if (!input.read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
+enum class Use { kColours, kNormals };
+
+// The channels of the file that make up the image, in order. Alpha and depth are none of them.
+std::vector<int> channels_of(const OIIO::ImageSpec& spec, Use use, const Place& place) {
+  const auto named = [&](std::string_view name) {
+    const auto found = std::find_if(spec.channelnames.begin(), spec.channelnames.end(),
+                                    [&](const std::string& c) { return OIIO::Strutil::iequals(c, std::string(name)); });
+    return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
+  };
+  if (named("R") >= 0 && named("G") >= 0 && named("B") >= 0) return {named("R"), named("G"), named("B")};
+  std::vector<int> all;
+  for (int c = 0; c < spec.nchannels; ++c) {
+    if (c != spec.alpha_channel && c != spec.z_channel) all.push_back(c);
+  }
+  if (all.empty() && spec.nchannels < 1) throw InputError(place, "an image without channels", "one to four");
+  if (all.empty()) all = {0};
+  if (all.size() > 4 || named("RY") >= 0) {
+    throw InputError(
+        place, std::to_string(spec.nchannels) + " channels (" + OIIO::Strutil::join(spec.channelnames, ", ") + ")",
+        "one to four, or R, G and B among them");
+  }
+  if (all.size() >= 3) return {all[0], all[1], all[2]};
+  return use == Use::kNormals ? all : std::vector<int>{all[0]};
+}
+
+// The data window of the file within the window that is to be seen.
+struct Window {
+  int width, height, x, y;
+};
+Window window_of(const OIIO::ImageSpec& spec, std::string_view format) {
+  if (format != "openexr" || spec.full_width < 1 || spec.full_height < 1) return {spec.width, spec.height, 0, 0};
+  return {spec.full_width, spec.full_height, spec.x - spec.full_x, spec.y - spec.full_y};
+}
+
+// Pixel values as floats.
+Image decode(OIIO::ImageInput& input, Use use, const Place& place) {
+  const OIIO::ImageSpec spec = input.spec();
+  const std::vector<int> channels = channels_of(spec, use, place);
+  const auto stored = static_cast<std::size_t>(1 + *std::max_element(channels.begin(), channels.end()));
+  check_header(spec, stored, place);
+  const Window window = window_of(spec, input.format_name());
+  OIIO::ImageSpec seen = spec;
+  seen.width = window.width;
+  seen.height = window.height;
+  check_header(seen, channels.size(), place);
+  std::vector<float> pixels(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * stored);
+  if (!input.read_image(0, 0, 0, static_cast<int>(stored), OIIO::TypeDesc::FLOAT, pixels.data())) {
     throw InputError(place, "an image that cannot be decoded (" + oiio_error(&input) + ")", "a whole, sound image");
   }
   input.close();
   oiio_error(&input);
+  Image image{window.width, window.height, static_cast<int>(channels.size()), {}};
+  image.pixels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+                       channels.size());
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const int dx = x - window.x, dy = y - window.y;
+      const bool inside = dx >= 0 && dx < spec.width && dy >= 0 && dy < spec.height;
+      const std::size_t at = static_cast<std::size_t>(inside ? dy : 0) * static_cast<std::size_t>(spec.width) +
+                             static_cast<std::size_t>(inside ? dx : 0);
+      for (const int c : channels) {
+        image.pixels.push_back(inside ? pixels[at * stored + static_cast<std::size_t>(c)] : 0.0F);
+      }
+    }
+  }
   check_finite(image, place);
+  return image;
+}
+
+// Two channels of normals with the third, which is at least 0; all three as codes, (n + 1) / 2.
+Image with_z(const Image& two) {
+  Image image{two.width, two.height, 3, {}};
+  image.pixels.reserve(two.pixels.size() / 2 * 3);
+  for (std::size_t i = 0; i < two.pixels.size(); i += 2) {
+    const float x = 2 * two.pixels[i] - 1, y = 2 * two.pixels[i + 1] - 1;
+    const float z = std::sqrt(std::max(0.0F, 1 - x * x - y * y));
+    image.pixels.insert(image.pixels.end(), {two.pixels[i], two.pixels[i + 1], (z + 1) / 2});
+  }
+  return image;
+}
+
+Image checked_normals(Image image, const Place& place, Notes& notes) {
+  if (image.channels == 1) {
+    throw InputError(place, "an image of one channel as a normal map",
+                     "red and green, or red, green and blue; heights go into a height map");
+  }
+  if (image.channels == 2) return with_z(image);
+  bool grey = true;
+  for (std::size_t i = 0; grey && i < image.pixels.size(); i += 3) {
+    grey = image.pixels[i] == image.pixels[i + 1] && image.pixels[i] == image.pixels[i + 2];
+  }
+  if (grey) notes.push_back(place.text() + ": this normal map is grey; are these heights?");
   return image;
 }
 
 OIIO::ImageSpec open_hints() {
   OIIO::ImageSpec hints;
   hints["oiio:UnassociatedAlpha"] = 1;
+  hints["oiio:RawColor"] = 1;
   return hints;
 }
 
-}  // namespace
+// What OpenImageIO is to take bytes in memory for; empty for what it does not know by its first bytes.
+std::string name_of(std::string_view bytes) {
+  if (is_png(bytes)) return "embedded.png";
+  if (is_jpeg(bytes)) return "embedded.jpg";
+  if (is_webp(bytes)) return "embedded.webp";
+  const std::pair<std::string_view, const char*> kinds[] = {{"\x76\x2f\x31\x01"sv, "embedded.exr"},
+                                                            {"II*\0"sv, "embedded.tif"},
+                                                            {"MM\0*"sv, "embedded.tif"},
+                                                            {"GIF8"sv, "embedded.gif"},
+                                                            {"DDS "sv, "embedded.dds"},
+                                                            {"#?"sv, "embedded.hdr"},
+                                                            {"8BPS"sv, "embedded.psd"},
+                                                            {"BM"sv, "embedded.bmp"}};
+  for (const auto& [magic, name] : kinds) {
+    if (bytes.starts_with(magic)) return name;
+  }
+  return {};
+}
 
-Image read_image(const std::filesystem::path& path) {
+Image read_as(const std::filesystem::path& path, Use use) {
   const Place place{path.string(), 0, 0, {}};
   check_complete(read_file(path, kMaximumImageBytes), place);
   const OIIO::ImageSpec hints = open_hints();
   const auto input = OIIO::ImageInput::open(path.string(), &hints);
   if (!input) throw InputError(place, "no image (" + oiio_error(nullptr) + ")", "an image OpenImageIO reads");
-  return decode(*input, place);
+  return decode(*input, use, place);
 }
 
-Image read_image(const std::string& bytes, const Place& place) {
-  const bool known = is_png(bytes) || is_jpeg(bytes) || is_webp(bytes);
-  if (!known) throw InputError(place, "bytes that are neither PNG, JPEG nor WebP", "an embedded image");
+Image read_as(const std::string& bytes, const Place& place, Use use) {
+  const std::string name = name_of(bytes);
+  if (name.empty()) throw InputError(place, "bytes of no image format", "an embedded image, such as PNG or JPEG");
   check_complete(bytes, place);
-  const std::string name = is_png(bytes) ? "embedded.png" : is_jpeg(bytes) ? "embedded.jpg" : "embedded.webp";
   OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
   const OIIO::ImageSpec hints = open_hints();
   const auto input = OIIO::ImageInput::create(name, false, &hints, &memory);
   OIIO::ImageSpec spec;
   if (!input || !input->set_ioproxy(&memory) || !input->open(name, spec, hints)) {
-    throw InputError(place, "no image (" + oiio_error(input.get()) + ")", "an image OpenImageIO reads");
+    throw InputError(place, "no image (" + oiio_error(input.get()) + ")", "an image OpenImageIO reads from memory");
   }
-  return decode(*input, place);
+  return decode(*input, use, place);
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& path) { return read_as(path, Use::kColours); }
+Image read_image(const std::string& bytes, const Place& place) { return read_as(bytes, place, Use::kColours); }
+
+Image read_normal_map(const std::filesystem::path& path, Notes& notes) {
+  return checked_normals(read_as(path, Use::kNormals), Place{path.string()}, notes);
+}
+Image read_normal_map(const std::string& bytes, const Place& place, Notes& notes) {
+  return checked_normals(read_as(bytes, place, Use::kNormals), place, notes);
 }
 
 Vec3 mean_colour(const Image& image) {

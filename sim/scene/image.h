@@ -7,6 +7,7 @@
 
 #include "golden/vector.h"
 #include "sim/input_error.h"
+#include "sim/scene/notes.h"
 
 namespace wrinkle {
 
@@ -27,9 +28,15 @@ struct Image {
   }
 };
 
+//
+// Where an OpenEXR file has a display window other than its data, the display window is the image, 0 outside the data.
 Image read_image(const std::filesystem::path& path);
-// An image file held in memory, PNG, JPEG or WebP. `place` is where it was embedded.
+// An image file held in memory, of a format known by its first bytes. `place` is where it was embedded.
 Image read_image(const std::string& bytes, const Place& place);
+// The same for images of normals: of two channels the third is made, the length being 1; one channel is an error;
+// equal ones are noted.
+Image read_normal_map(const std::filesystem::path& path, Notes& notes);
+Image read_normal_map(const std::string& bytes, const Place& place, Notes& notes);
 
 // Mean of each channel; grey gives three equal ones.
 Vec3 mean_colour(const Image& image);

@@ -6,6 +6,7 @@
 #include "sim/scene/files.h"
 #include "sim/scene/model.h"
 #include "sim/scene/suggest.h"
+#include "sim/scene/toml_table.h"
 
 namespace wrinkle {
 namespace {
@@ -49,6 +50,14 @@ std::vector<std::string> named_scenes() {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+bool is_scene(const std::string& name) {
+  const std::string extension = extension_of(name);
+  if (extension == ".gltf" || extension == ".glb" || extension == ".obj") return true;
+  if (extension == ".toml") return is_file({}, name) && parse_toml_file(name).contains("objects");
+  const std::vector<std::string> names = named_scenes();
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 Model read_model(const fs::path& path, Notes& notes) {

@@ -24,37 +24,41 @@ Grid<double> heights_of(const Image& image, double scale) {
   return grid;
 }
 
-MipChain normals_of(const Image& image, double scale) {
-  return normal_mips(normal_map_from_image(resample_to_power_of_two(colours_of(image)), scale));
+MipChain normals_of(const Image& image, double scale, Wraps wraps) {
+  return normal_mips(normal_map_from_image(resample_to_power_of_two(colours_of(image), wraps), scale));
 }
 
-Grid<double> regular_heights(const Grid<double>& height) { return resample_to_power_of_two(height); }
-
-MipChain normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip) {
-  return mip == MipMethod::kHeights ? normal_mips(height, surface) : normal_mips(normal_map(height, surface));
+Grid<double> regular_heights(const Grid<double>& height, Wraps wraps) {
+  return resample_to_power_of_two(height, wraps);
 }
 
-MipChain normals_from_heights(const Grid<double>& height, double k, MipMethod mip) {
-  return mip == MipMethod::kHeights ? normal_mips(height, k) : normal_mips(normal_map(height, k));
+MipChain normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip, Wraps wraps) {
+  return mip == MipMethod::kHeights ? normal_mips(height, surface, wraps)
+                                    : normal_mips(normal_map(height, surface, wraps));
 }
 
-MipChain object_normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip) {
-  if (mip == MipMethod::kNormals) return normal_mips(out_of_tangent_space(normal_map(height, surface), surface));
-  MipChain chain = normal_mips(height, surface);
+MipChain normals_from_heights(const Grid<double>& height, double k, MipMethod mip, Wraps wraps) {
+  return mip == MipMethod::kHeights ? normal_mips(height, k, wraps) : normal_mips(normal_map(height, k, wraps));
+}
+
+MipChain object_normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip, Wraps wraps) {
+  if (mip == MipMethod::kNormals) return normal_mips(out_of_tangent_space(normal_map(height, surface, wraps), surface));
+  MipChain chain = normal_mips(height, surface, wraps);
   for (NormalMap& level : chain) level = out_of_tangent_space(level, surface);
   return chain;
 }
 
-std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal) {
+std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal,
+                                                 Wraps wraps) {
   MipChain colours;
   if (decal) {
-    Grid<Vec3> grid = resample_to_power_of_two(colours_of(*decal));
+    Grid<Vec3> grid = resample_to_power_of_two(colours_of(*decal), wraps);
     for (Vec3& c : grid.samples) {
       c = {std::clamp(c.x, 0.0, 1.0), std::clamp(c.y, 0.0, 1.0), std::clamp(c.z, 0.0, 1.0)};
     }
     colours = colour_mips(std::move(grid));
   }
-  return std::make_shared<const ExactTexture>(assemble(normals, colours));
+  return std::make_shared<const ExactTexture>(assemble(normals, colours, wraps));
 }
 
 }  // namespace wrinkle

@@ -16,19 +16,20 @@ Grid<Vec3> colours_of(const Image& image);
 Grid<double> heights_of(const Image& image, double scale);
 
 // The chain of a normal map's image [tangent space, green up], brought to powers of two, filtered and renormalized.
-MipChain normals_of(const Image& image, double scale);
+MipChain normals_of(const Image& image, double scale, Wraps wraps);
 
 // Heights brought to powers of two.
-Grid<double> regular_heights(const Grid<double>& height);
+Grid<double> regular_heights(const Grid<double>& height, Wraps wraps);
 
 // How the levels above 0 come about: `normals` filters and renormalizes, `heights` filters the field itself.
 enum class MipMethod { kNormals, kHeights };
-MipChain normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip);
-MipChain normals_from_heights(const Grid<double>& height, double k, MipMethod mip);
+MipChain normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip, Wraps wraps);
+MipChain normals_from_heights(const Grid<double>& height, double k, MipMethod mip, Wraps wraps);
 // The same in the space that the surface lies in, not in that of its tangents.
-MipChain object_normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip);
+MipChain object_normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip, Wraps wraps);
 
 // Either may be absent.
-std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal);
+std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal,
+                                                 Wraps wraps);
 
 }  // namespace wrinkle

@@ -5,13 +5,13 @@
 
 #include "golden/texel/height.h"
 #include "golden/vertex/surfaces.h"
-#include "golden/vertex/tangents.h"
 #include "golden/vertex/tessellate.h"
 #include "golden/vertex/transform.h"
 #include "sim/scene/built_in.h"
 #include "sim/scene/defaults.h"
 #include "sim/scene/files.h"
 #include "sim/scene/model.h"
+#include "sim/scene/normals.h"
 #include "sim/scene/textures.h"
 
 namespace wrinkle {
@@ -23,6 +23,8 @@ const std::vector<std::string_view> kObjectKeys = {
     "name",         "mesh",   "tessellation", "size",         "radius",   "radii",        "translate", "rotate",
     "scale",        "space",  "normal_map",   "normal_scale", "height",   "method",       "k",         "mip",
     "height_scale", "repeat", "wrap",         "decal",        "material", "double_sided", "shadow"};
+
+constexpr double kLargestScale = 1e12;
 
 fs::path folder_of(const TomlTable& table) { return fs::path(table.file()).parent_path(); }
 
@@ -38,17 +40,17 @@ void only_where(const TomlTable& table, bool condition, std::initializer_list<st
 
 // Scaled, turned about x, then y, then z, then moved.
 Mat4 read_transform(const TomlTable& table) {
-  const Vec3 t = table.vector("translate", -1e6, 1e6, Vec3{});
+  const Vec3 t = table.vector("translate", -kMaximumCoordinate, kMaximumCoordinate, Vec3{});
   const Vec3 degrees = table.vector("rotate", -3600, 3600, Vec3{});
   Vec3 s{1, 1, 1};
   if (table.is_array("scale")) {
-    s = table.vector("scale", -1e6, 1e6);
+    s = table.vector("scale", -kLargestScale, kLargestScale);
   } else {
-    s = table.number("scale", -1e6, 1e6, 1) * s;
+    s = table.number("scale", -kLargestScale, kLargestScale, 1) * s;
   }
   for (const double factor : {s.x, s.y, s.z}) {
-    if (std::abs(factor) < 1e-6)
-      throw InputError(table.place("scale"), "a scale of almost 0", "1e-6 to 1e6 in magnitude");
+    if (std::abs(factor) < 1 / kLargestScale)
+      throw InputError(table.place("scale"), "a scale of almost 0", "1e-12 to 1e12 in magnitude");
   }
   const Vec3 r = std::numbers::pi / 180 * degrees;
   return translation(t) * rotation({0, 0, 1}, r.z) * rotation({0, 1, 0}, r.y) * rotation({1, 0, 0}, r.x) * scaling(s);
@@ -98,7 +100,7 @@ struct Bump {
   bool any() const { return normals || heights; }
 };
 
-Bump read_bump(const TomlTable& table) {
+Bump read_bump(const TomlTable& table, Notes& notes) {
   Bump bump;
   only_where(table, table.has("normal_map"), {"normal_scale"}, "goes with normal_map");
   only_where(table, table.has("height"), {"height_scale", "method", "k", "mip"}, "goes with height");
@@ -107,19 +109,19 @@ Bump read_bump(const TomlTable& table) {
   }
   if (table.has("normal_map")) {
     bump.normal_scale = table.number("normal_scale", -100, 100, 1);
-    bump.normals = read_image(find_file(folder_of(table), table.string("normal_map"), table.place("normal_map")));
+    const fs::path file = find_file(folder_of(table), table.string("normal_map"), table.place("normal_map"));
+    bump.normals = read_normal_map(file, notes);
   }
   if (table.has("height")) {
     bump.by_surface = table.choice("method", {"eq3-6", "eq8-11"}, 0) == 0;
-    if (table.has("k")) bump.k = table.number("k", 1e-6, 1e6);
+    if (table.has("k")) bump.k = table.number("k", 1e-12, 1e12);
     only_where(table, !bump.by_surface, {"k"}, "goes with method = \"eq8-11\"");
     bump.mip = table.choice("mip", {"normals", "heights"}, 0) == 0 ? MipMethod::kNormals : MipMethod::kHeights;
     const std::string source = table.string("height");
-    const double scale = table.number("height_scale", -1e3, 1e3, source == "pinwheel" ? 0.02 : 0.05);
+    const double scale = table.number("height_scale", -1e12, 1e12, source == "pinwheel" ? 0.02 : 0.05);
     bump.heights = source == "pinwheel"
                        ? pinwheel(512, scale)
-                       : regular_heights(
-                             heights_of(read_image(find_file(folder_of(table), source, table.place("height"))), scale));
+                       : heights_of(read_image(find_file(folder_of(table), source, table.place("height"))), scale);
   }
   return bump;
 }
@@ -169,17 +171,21 @@ class ObjectReader {
   ObjectReader(const TomlTable& table, Notes& notes) : table_(table), notes_(notes) {}
 
   std::vector<Object> read(bool& decal) {
-    const Bump bump = read_bump(table_);
+    Bump bump = read_bump(table_, notes_);
     std::vector<Object> objects = bare_objects(bump.by_surface && bump.heights);
+    for (Object& object : objects) read_wrap(table_, object);
+    wraps_ = {objects.front().wrap_u, objects.front().wrap_v};
+    if (bump.heights) bump.heights = regular_heights(*bump.heights, wraps_);
     if (table_.has("decal")) {
       base_ = read_image(find_file(folder_of(table_), table_.string("decal"), table_.place("decal")));
     }
-    decal = decal || decal_ || base_;
     MipChain normals;
-    if (bump.normals) normals = normals_of(*bump.normals, bump.normal_scale);
+    if (bump.normals) normals = normals_of(*bump.normals, bump.normal_scale, wraps_);
     if (bump.heights && !bump.by_surface) normals = square_normals(bump, objects);
     std::shared_ptr<const ExactTexture> shared;
-    if (!normals.empty() || base_) shared = make_texture(normals, base_);
+    if (!normals.empty() || base_) shared = make_texture(normals, base_, wraps_);
+    note_lost_base_colour(bump);
+    decal = decal || decal_ || base_;
     for (Object& object : objects) finish(object, bump, shared);
     return objects;
   }
@@ -217,11 +223,18 @@ class ObjectReader {
     return {r[0], r[1]};
   }
 
+  // A texture of the table stands in the place of the file's, base colour and all.
+  void note_lost_base_colour(const Bump& bump) {
+    if (!decal_ || base_ || !bump.any()) return;
+    decal_ = false;
+    notes_.push_back(table_.place("mesh").text() +
+                     ": the base colours of the model are not drawn with a normal map or height of the scene file");
+  }
   // One map for all objects of the table: k is theirs on the average.
   MipChain square_normals(const Bump& bump, const std::vector<Object>& objects) const {
     double k = 0;
     for (const Object& object : objects) k += scale_of(object) / static_cast<double>(objects.size());
-    return normals_from_heights(*bump.heights, bump.k.value_or(k), bump.mip);
+    return normals_from_heights(*bump.heights, bump.k.value_or(k), bump.mip, wraps_);
   }
 
   void finish(Object& object, const Bump& bump, const std::shared_ptr<const ExactTexture>& shared) const {
@@ -230,11 +243,10 @@ class ObjectReader {
     if (material != nullptr) object.material = read_material(table_.file(), *material, object.material);
     object.double_sided = table_.boolean("double_sided", object.double_sided);
     object.shadow = table_.boolean("shadow", object.shadow);
-    read_wrap(table_, object);
     if (shared) object.texture = shared;
     if (bump.any()) {
       object.space = ShadingSpace::kTangent;
-      if (object.mesh.surfaces.empty()) add_tangents(object.mesh);
+      if (object.mesh.surfaces.empty()) add_noted_tangents(object.mesh, {}, table_.place("mesh"), notes_);
     }
     if (bump.heights) add_heights(object, bump);
     set_space(object, bump);
@@ -253,10 +265,10 @@ class ObjectReader {
         throw InputError(table_.place("repeat"), "repeat other than 1",
                          "[1, 1] for method = \"eq3-6\", whose normals fit one place of the surface only");
       }
-      object.texture = make_texture(surface_normals(object, bump), base_);
+      object.texture = make_texture(surface_normals(object, bump), base_, wraps_);
     }
     if (object.mesh.surfaces.empty()) return;
-    object.height = std::make_shared<SampledHeightField>(*bump.heights);
+    object.height = std::make_shared<SampledHeightField>(*bump.heights, wraps_);
     if (repeat != Vec2{1, 1}) object.height = std::make_shared<RepeatedHeightField>(object.height, repeat);
   }
 
@@ -269,10 +281,11 @@ class ObjectReader {
   MipChain surface_normals(const Object& object, const Bump& bump) const {
     const auto& surface = object.mesh.surfaces.front();
     if (!in_object_space()) {
-      return normals_from_heights(*bump.heights, *transformed(surface, object.to_world), bump.mip);
+      return normals_from_heights(*bump.heights, *transformed(surface, object.to_world), bump.mip, wraps_);
     }
     const double scale = std::cbrt(determinant3(object.to_world));
-    return object_normals_from_heights(*bump.heights, *transformed(surface, scaling({scale, scale, scale})), bump.mip);
+    return object_normals_from_heights(*bump.heights, *transformed(surface, scaling({scale, scale, scale})), bump.mip,
+                                       wraps_);
   }
 
   void set_space(Object& object, const Bump& bump) const {
@@ -300,6 +313,7 @@ class ObjectReader {
   const TomlTable& table_;
   Notes& notes_;
   std::optional<Image> base_;
+  Wraps wraps_;
   bool decal_ = false;
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +14,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr double kWorld = 1e6;  // coordinates of cameras and lights
+constexpr double kWorld = kMaximumCoordinate;  // of cameras and lights
 
 Camera read_camera(const std::string& file, const toml::table& source, const Bounds& bounds) {
   const TomlTable table(file, source, "camera", {"type", "eye", "target", "up", "height", "fov", "near", "far"});
@@ -22,7 +23,7 @@ Camera read_camera(const std::string& file, const toml::table& source, const Bou
   const Vec3 eye = table.vector("eye", -kWorld, kWorld);
   const Vec3 target = table.vector("target", -kWorld, kWorld, Vec3{});
   const Vec3 up = table.vector("up", -kWorld, kWorld, Vec3{0, 1, 0});
-  if (length(eye - target) < 1e-9) throw InputError(table.place("eye"), "eye = target", "two places");
+  if (eye == target) throw InputError(table.place("eye"), "eye = target", "two places");
   if (length(cross(normalize(up), normalize(eye - target))) < 1e-6) {
     throw InputError(table.place("up"), "up along the line of sight", "another direction");
   }
@@ -33,12 +34,12 @@ Camera read_camera(const std::string& file, const toml::table& source, const Bou
                      camera.perspective ? "\"fov\" for a perspective camera" : "\"height\" for an orthographic one");
   }
   camera.half_height = camera.perspective ? std::tan(table.number("fov", 0.01, 179, 35) * std::numbers::pi / 360)
-                                          : 0.5 * table.number("height", 1e-6, kWorld, 2.02 * bounds.radius());
+                                          : 0.5 * table.number("height", 1e-12, kWorld, 2.02 * bounds.radius());
   const double distance = -transform_point(camera.world_to_eye, bounds.centre()).z;
-  const double radius = 1.01 * bounds.radius() + 1e-6;
+  const double radius = 1.01 * (bounds.radius() > 0 ? bounds.radius() : 1);
   const double standard_near =
       camera.perspective ? std::max(distance - radius, 1e-3 * (distance + radius)) : distance - radius;
-  camera.near = table.number("near", camera.perspective ? 1e-6 : -kWorld, kWorld, standard_near);
+  camera.near = table.number("near", camera.perspective ? 1e-12 : -kWorld, kWorld, standard_near);
   camera.far = table.number("far", -kWorld, kWorld, std::max(distance + radius, camera.near + radius));
   if (camera.far <= camera.near) throw InputError(table.place("far"), "far not beyond near", "far > near");
   return camera;
@@ -52,7 +53,7 @@ Light read_light(const std::string& file, const toml::table& source) {
   }
   if (table.has("position")) return {table.vector("position", -kWorld, kWorld), false};
   const Vec3 towards = table.vector("direction", -kWorld, kWorld);
-  if (length(towards) < 1e-9) throw InputError(table.place("direction"), "direction = 0", "the way to the light");
+  if (towards == Vec3{}) throw InputError(table.place("direction"), "direction = 0", "the way to the light");
   return {normalize(towards), true};
 }
 
@@ -69,7 +70,66 @@ std::string read_config(const TomlTable& table, const std::filesystem::path& fol
   return is_file ? (folder / name).string() : name;
 }
 
+// A table written on the command line, with or without braces.
+toml::table parse_option(const std::string& option, const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  const bool braces = first != std::string::npos && text[first] == '{';
+  try {
+    return *toml::parse("t = " + (braces ? text : "{" + text + "}"))["t"].as_table();
+  } catch (const toml::parse_error& error) {
+    throw InputError(Place{option + " '" + shortened(text) + "'"}, std::string(error.description()));
+  }
+}
+
+double parse_number(const std::string& option, const std::string& text, double minimum, double maximum) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) throw InputError(Place{option}, "\"" + text + "\"", "a number");
+  return checked_number(value, minimum, maximum, option, Place{option});
+}
+
+Vec3 parse_background(const std::string& text) {
+  std::vector<double> c;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    c.push_back(parse_number("--background", text.substr(at, end - at), 0, 1));
+    at = end + 1;
+  }
+  if (c.size() != 1 && c.size() != 3) {
+    throw InputError(Place{"--background"}, std::to_string(c.size()) + " numbers", "R,G,B or one grey, in [0, 1]");
+  }
+  return c.size() == 1 ? Vec3{c[0], c[0], c[0]} : Vec3{c[0], c[1], c[2]};
+}
+
+// Brighter light is the same as materials that give more of it back, up to all.
+void expose(double factor, Scene& scene, Notes& notes) {
+  bool limited = false;
+  for (Object& object : scene.objects) {
+    for (Vec3* colour : {&object.material.ambient, &object.material.diffuse, &object.material.specular}) {
+      *colour = factor * *colour;
+      limited = limited || std::max({colour->x, colour->y, colour->z}) > 1;
+      *colour = {std::min(colour->x, 1.0), std::min(colour->y, 1.0), std::min(colour->z, 1.0)};
+    }
+  }
+  if (limited) notes.push_back("--exposure: materials whose colours come to more than 1 are drawn with 1");
+}
+
 }  // namespace
+
+void apply_overrides(const SceneOverrides& overrides, Scene& scene, Notes& notes) {
+  if (!overrides.camera.empty()) {
+    toml::table camera = parse_option("--camera", overrides.camera);
+    if (!camera.contains("type")) camera.insert("type", camera.contains("height") ? "orthographic" : "perspective");
+    scene.camera = read_camera("--camera", camera, bounds_of(scene.objects));
+    scene.viewer_at_infinity = !scene.camera.perspective;
+  }
+  if (!overrides.light.empty()) scene.light = read_light("--light", parse_option("--light", overrides.light));
+  if (!overrides.background.empty()) scene.background = parse_background(overrides.background);
+  if (!overrides.exposure.empty()) {
+    expose(parse_number("--exposure", overrides.exposure, 1e-6, 1e6), scene, notes);
+  }
+}
 
 Scene read_toml_scene(const std::filesystem::path& path, Notes& notes) {
   const std::string file = path.string();

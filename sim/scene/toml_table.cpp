@@ -1,6 +1,7 @@
 #include "sim/scene/toml_table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cfloat>
 #include <cmath>
 #include <sstream>
@@ -23,15 +24,29 @@ std::string range_text(double minimum, double maximum) {
   return "between " + number_text(minimum) + " and " + number_text(maximum);
 }
 
+// Bare words behind "=" are the usual fault of syntax.
+std::string advice(const std::string& text, unsigned line) {
+  std::istringstream lines(text);
+  std::string found;
+  for (unsigned i = 0; i < line; ++i) std::getline(lines, found);
+  const std::size_t equals = found.find('=');
+  const std::size_t word = equals == std::string::npos ? equals : found.find_first_not_of(" \t", equals + 1);
+  if (word == std::string::npos || std::isalpha(static_cast<unsigned char>(found[word])) == 0) return "";
+  const std::size_t end = found.find_first_of(" \t\r#,]}", word);
+  const std::string value = found.substr(word, end == std::string::npos ? end : end - word);
+  if (value == "true" || value == "false" || value == "inf" || value == "nan") return "";
+  return "; text is written in quotes: " + shortened(found.substr(0, equals)) + "= \"" + shortened(value) + "\"";
+}
+
 }  // namespace
 
 toml::table parse_toml_file(const std::string& path) {
-  const std::string text = read_file(path, std::uintmax_t{1} << 24);
+  const std::string text = read_text_file(path, std::uintmax_t{1} << 24);
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     throw InputError(Place{path, error.source().begin.line, error.source().begin.column, {}},
-                     std::string(error.description()));
+                     shortened(std::string(error.description())) + advice(text, error.source().begin.line));
   }
 }
 

@@ -54,7 +54,7 @@ std::string name(VectorKind kind) {
 }
 
 std::vector<VectorLine> read_vector_lines(const std::filesystem::path& path, VectorKind& kind) {
-  std::istringstream text(read_file(path));
+  std::istringstream text(read_text_file(path));
   std::vector<VectorLine> lines;
   std::string line;
   for (unsigned number = 1; std::getline(text, line); ++number) {

@@ -61,34 +61,35 @@ TEST_P(BadCommands, ExitTwoWithOneClearMessage) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadCommands,
-    testing::Values(
-        BadCommand{"NoCommand", "", "A subcommand is required"},
-        BadCommand{"UnknownCommand", "paint", "subcommand is required"},
-        BadCommand{"UnknownOption", "render patch_fig6 --fast", "--fast"}, BadCommand{"NoScene", "render", "SCENE"},
-        BadCommand{"MissingScene", "render /no/such/scene.toml", "/no/such/scene.toml"},
-        BadCommand{"FolderAsScene", "render /tmp", "/tmp"},
-        BadCommand{"UnknownEngine", "render patch_fig6 -e gpu", "ideal, exact, golden, golden-scalar, rtl"},
-        BadCommand{"UnknownConfig", "render patch_fig6 -c huge", "huge"},
-        BadCommand{"UnknownKey", "render patch_fig6 --set unit_bit=8", "unit_bit"},
-        BadCommand{"ValueOutOfRange", "render patch_fig6 --set unit_bits=99", "16"},
-        BadCommand{"ValueNotANumber", "render patch_fig6 --set unit_bits=many", "many"},
-        BadCommand{"SizeOfNothing", "render patch_fig6 --size 0x5", "WIDTHxHEIGHT"},
-        BadCommand{"SizeTooLarge", "render patch_fig6 --size 5000", "4096"},
-        BadCommand{"SizeWithRest", "render patch_fig6 --size 64x64x64", "WIDTHxHEIGHT"},
-        BadCommand{"UnknownAov", "render patch_fig6 --aov B -o /tmp/x.exr", "found B"},
-        BadCommand{"AovOfAnotherConfig", "render patch_fig1 --set datapath=phong --aov lod -o /tmp/x.exr",
-                   "interpolate_lod"},
-        BadCommand{"AovOfAnotherDatapath", "render patch_fig6 --aov texture_offset -o /tmp/x.exr", "texture_n"},
-        BadCommand{"AovIntoPng", "render patch_fig6 --aov N -o /tmp/x.png", ".exr"},
-        BadCommand{"UnknownFormat", "render patch_fig6 --size 8 -o /tmp/x.nothing", ".nothing"},
-        BadCommand{"UnwritableFolder", "render patch_fig6 --size 8 -o /proc/none/x.png", "/proc/none/x.png"},
-        BadCommand{"NothingToVerify", "verify", "--random N or --vectors FILE"},
-        BadCommand{"UnknownStalls", "verify patch_fig6 --stalls often", "bursty"},
-        BadCommand{"MissingVectors", "verify --vectors /no/such.txt", "/no/such.txt"},
-        BadCommand{"MissingRtl", "verify patch_fig6 --rtl /no/such", "/no/such"},
-        BadCommand{"FiguresByIdeal", "figures --engine ideal", "rtl or golden"},
-        BadCommand{"FiguresTooSmall", "figures --size 8", "--size"},
-        BadCommand{"NegativeLatency", "verify patch_fig6 --latency -1", "--latency"}),
+    testing::Values(BadCommand{"NoCommand", "", "A subcommand is required"},
+                    BadCommand{"UnknownCommand", "rendr", "did you mean \"render\"?"},
+                    BadCommand{"UnknownOption", "render patch_fig6 --fast", "--fast"},
+                    BadCommand{"NoScene", "render", "SCENE"},
+                    BadCommand{"MissingScene", "render /no/such/scene.toml", "/no/such/scene.toml"},
+                    BadCommand{"FolderAsScene", "render /tmp", "/tmp"},
+                    BadCommand{"UnknownEngine", "render patch_fig6 -e gpu", "ideal, exact, golden, golden-scalar, rtl"},
+                    BadCommand{"UnknownConfig", "render patch_fig6 -c huge", "huge"},
+                    BadCommand{"UnknownKey", "render patch_fig6 --set unit_bit=8", "unit_bit"},
+                    BadCommand{"ValueOutOfRange", "render patch_fig6 --set unit_bits=99", "16"},
+                    BadCommand{"ValueNotANumber", "render patch_fig6 --set unit_bits=many", "many"},
+                    BadCommand{"SizeOfNothing", "render patch_fig6 --size 0x5", "WIDTHxHEIGHT"},
+                    BadCommand{"SizeTooLarge", "render patch_fig6 --size 5000", "4096"},
+                    BadCommand{"SizeWithRest", "render patch_fig6 --size 64x64x64", "WIDTHxHEIGHT"},
+                    BadCommand{"UnknownAov", "render patch_fig6 --aov B -o /tmp/x.exr", "found B"},
+                    BadCommand{"AovOfAnotherConfig", "render patch_fig1 --set datapath=phong --aov lod -o /tmp/x.exr",
+                               "interpolate_lod"},
+                    BadCommand{"AovOfAnotherDatapath", "render patch_fig6 --aov texture_offset -o /tmp/x.exr", "texture_n"},
+                    BadCommand{"AovIntoPng", "render patch_fig6 --aov N -o /tmp/x.png", ".exr"},
+                    BadCommand{"UnknownFormat", "render patch_fig6 --size 8 -o /tmp/x.nothing", ".nothing"},
+                    BadCommand{"UnwritableFolder", "render patch_fig6 --size 8 -o /proc/none/x.png",
+                               "/proc/none/x.png"},
+                    BadCommand{"NothingToVerify", "verify", "--random N or --vectors FILE"},
+                    BadCommand{"UnknownStalls", "verify patch_fig6 --stalls often", "bursty"},
+                    BadCommand{"MissingVectors", "verify --vectors /no/such.txt", "/no/such.txt"},
+                    BadCommand{"MissingRtl", "verify patch_fig6 --rtl /no/such", "/no/such"},
+                    BadCommand{"FiguresByIdeal", "figures --engine ideal", "rtl or golden"},
+                    BadCommand{"FiguresTooSmall", "figures --size 8", "--size"},
+                    BadCommand{"NegativeLatency", "verify patch_fig6 --latency -1", "--latency"}),
     [](const auto& instance) { return instance.param.name; });
 
 TEST_F(Cli, HelpOfEveryCommand) {
@@ -130,6 +131,128 @@ TEST_F(Cli, VerifyOfEqualEnginesExitsZero) {
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_EQ(json("a.json")["equal"], true);
   EXPECT_EQ(json("a.json")["runs"].size(), 2U);
+}
+
+TEST_F(Cli, HelpAndVersion) {
+  EXPECT_EQ(run("--version").exit_code, 0);
+  EXPECT_THAT(run("--version").output, HasSubstr("wrinkle 0."));
+  EXPECT_EQ(run("help").output, run("--help").output);
+  EXPECT_EQ(run("help").exit_code, 0);
+  EXPECT_EQ(run("help render").output, run("render --help").output);
+  EXPECT_THAT(run("help render").output, HasSubstr("--exposure"));
+}
+
+// What was read, under whatever name, is not written over.
+TEST_F(Cli, FilesThatWereReadAreNotWrittenOver) {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\nmtllib a.mtl\n";
+  std::ofstream(path("a.obj")) << obj;
+  std::ofstream(path("a.mtl")) << "newmtl m\nKd 1 1 1\nmap_Kd a.png\n";
+  ASSERT_EQ(run("render patch_fig6 --size 8 -o " + path("a.png")).exit_code, 0);
+  const auto size = fs::file_size(path("a.png"));
+  fs::create_symlink("a.png", folder_ / "link.png");
+  for (const std::string& output : {path("a.png"), path("./a.png"), path("link.png"), path("a.obj"), path("a.mtl")}) {
+    const Result result = run("render " + path("a.obj") + " --size 64 -o " + output);
+    EXPECT_EQ(result.exit_code, 2) << output;
+    EXPECT_THAT(result.output, HasSubstr("was read"));
+  }
+  EXPECT_EQ(run("render " + path("a.obj") + " --size 64 -o " + path("b.png") + " --json " + path("a.mtl")).exit_code,
+            2);
+  EXPECT_FALSE(fs::exists(path("b.png"))) << "half of the work was written";
+  EXPECT_EQ(fs::file_size(path("a.png")), size);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(std::ifstream(path("a.obj")).rdbuf()), {}), obj);
+}
+
+TEST_F(Cli, WithoutAnOutputPicturesGoBelowOut) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  const Result result = run("render patch_fig6 --size 8");
+  const Result exr = run("render patch_fig6 --size 8 --aov N");
+  fs::current_path(before);
+  EXPECT_EQ(result.exit_code + exr.exit_code, 0) << result.output << exr.output;
+  EXPECT_TRUE(fs::exists(folder_ / "out/patch_fig6.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/patch_fig6.exr"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(Cli, EndingsInUpperCase) {
+  EXPECT_EQ(run("render patch_fig6 --size 8 -o " + path("A.PNG")).exit_code, 0);
+  EXPECT_EQ(run("render patch_fig6 --size 8 --aov N -o " + path("A.EXR")).exit_code, 0);
+  EXPECT_GT(fs::file_size(path("A.EXR")), fs::file_size(path("A.PNG")));
+}
+
+// A bare model under another camera and light; a scene seen from behind says why nothing is there.
+TEST_F(Cli, ViewAndLightFromTheCommandLine) {
+  std::ofstream(path("a.obj")) << "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
+  const auto render = [&](const std::string& options) {
+    return run("render " + path("a.obj") + " --size 64 -o " + path("a.png") + " --json " + path("a.json") + " " +
+               options);
+  };
+  ASSERT_EQ(render("--camera 'height = 4, eye = [0, 0, 5]'").exit_code, 0);
+  EXPECT_EQ(json("a.json")["fragments"], 32 * 32);
+  ASSERT_EQ(render("--camera '{eye = [0, 0, 5], fov = 90}' --light 'position = [0, 0, 9]' --exposure 2 --background .5")
+                .exit_code,
+            0);
+  const Result behind = render("--camera 'eye = [0, 0, -5]'");
+  EXPECT_EQ(behind.exit_code, 0);
+  EXPECT_EQ(json("a.json")["fragments"], 0);
+  EXPECT_THAT(behind.output, HasSubstr("2 are seen from behind"));
+  EXPECT_THAT(render("--camera 'eye = [9, 9, 9], target = [20, 20, 20]'").output, HasSubstr("behind the eye"));
+  EXPECT_THAT(render("--camera 'eye = 5'").output, HasSubstr("--camera"));
+  EXPECT_THAT(render("--camera 'eya = [1, 2, 3]'").output, HasSubstr("did you mean \"eye\"?"));
+  EXPECT_EQ(render("--light up").exit_code, 2);
+  EXPECT_EQ(render("--background 1,2,3").exit_code, 2);
+  EXPECT_EQ(render("--exposure bright").exit_code, 2);
+}
+
+// Whatever a configuration takes from a scene is said.
+TEST_F(Cli, LossesAreNoted) {
+  const auto said = [&](const std::string& options) {
+    return run("render " + options + " --size 16 -o " + path("a.png")).output;
+  };
+  EXPECT_THAT(said("patch_fig6 -c phong"), HasSubstr("bumps are not drawn"));
+  EXPECT_THAT(said("patch_fig6 --set lighting=diffuse"), HasSubstr("highlights are not drawn"));
+  EXPECT_THAT(said("patch_fig6 --set specular_squarings=3"), HasSubstr("2^specular_squarings (3)"));
+  EXPECT_THAT(said("patch_fig6"), testing::Not(HasSubstr("not drawn")));
+}
+
+TEST_F(Cli, ConfigShowsWhatFollows) {
+  const Result table = run("config lean patch_fig6 --set unit_bits=8,dot_bits=9 --json " + path("a.json"));
+  EXPECT_EQ(table.exit_code, 0) << table.output;
+  EXPECT_EQ(json("a.json")["parameters"]["unit_bits"], 8);
+  EXPECT_EQ(json("a.json")["parameters"]["dot_bits"], 9);
+  EXPECT_TRUE(json("a.json")["derived"].contains("uv_width"));
+  EXPECT_EQ(run("config patch_fig6 lean --set unit_bits=8,dot_bits=9").output, table.output) << "in either order";
+  EXPECT_THAT(run("config lean --verilog").output, HasSubstr(".UNIT_BITS("));
+  std::ofstream(path("mine.toml")) << run("config lean --toml --set unit_bits=8").output;
+  EXPECT_EQ(run("config " + path("mine.toml")).output, run("config lean --set unit_bits=8").output);
+  std::ofstream(path("bare.toml")) << "datapath = phong\n";
+  EXPECT_THAT(run("config " + path("bare.toml")).output, HasSubstr("in quotes: datapath = \"phong\""));
+}
+
+// A mesh has no truth of its own, and says so; the parameters are those that were measured.
+TEST_F(Cli, ErrorOfAMeshHasNoMethodError) {
+  std::ofstream(path("a.obj")) << "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
+  const Result result = run("error " + path("a.obj") + " lean --set unit_bits=8 --json " + path("a.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("n/a"));
+  EXPECT_TRUE(json("a.json")["method"].is_null());
+  EXPECT_EQ(json("a.json")["parameters"]["unit_bits"], 8);
+}
+
+// The shell itself takes what is printed.
+TEST_F(Cli, CompletionOfBash) {
+  std::ofstream(path("words.sh"))
+      << run("completion bash").output
+      << "COMP_WORDS=(wrinkle ren); COMP_CWORD=1; _wrinkle; echo \"${COMPREPLY[@]}\"\n"
+         "COMP_WORDS=(wrinkle render --ba); COMP_CWORD=2; _wrinkle; echo \"${COMPREPLY[@]}\"\n";
+  FILE* pipe = popen(("bash " + path("words.sh")).c_str(), "r");
+  std::array<char, 256> text{};
+  const std::size_t size = fread(text.data(), 1, text.size(), pipe);
+  pclose(pipe);
+  EXPECT_EQ(std::string(text.data(), size), "render\n--background\n");
+  for (const char* shell : {"zsh", "fish"})
+    EXPECT_THAT(run(std::string("completion ") + shell).output, HasSubstr("render"));
+  EXPECT_EQ(run("completion dos").exit_code, 2);
 }
 
 // Fig. 2 converges to `ideal`. Fig. 3 does not, since it filters normals, and with Eq. 8-11 it is the furthest off.

@@ -73,6 +73,23 @@ TEST(Height, FieldRepeats) {
   EXPECT_NEAR(field.gradient(0, 0).x, 2 * 3.14159265, 0.1);  // across the seam
 }
 
+// A ramp from 0 to 1: clamped, its slope is the same at the border; repeated, it has a cliff; mirrored, it turns round.
+TEST(Height, BordersAreAsTheTextureWraps) {
+  Grid<double> ramp(32, 32);
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 32; ++x) ramp.at(x, y) = (x + 0.5) / 32;
+  }
+  const auto slope = [&](Wraps wraps, int x) { return gradients(ramp, wraps).at(x, 16).x; };
+  const Wraps clamp{Wrap::kClamp, Wrap::kClamp}, mirror{Wrap::kMirror, Wrap::kMirror};
+  for (const int x : {0, 1, 16, 30, 31}) EXPECT_NEAR(slope(clamp, x), 1, 1e-12) << x;
+  EXPECT_LT(slope({}, 0), -1);
+  EXPECT_GT(slope(mirror, 0), 0);
+  EXPECT_LT(slope(mirror, 0), 1);
+  EXPECT_NEAR(slope(Wraps{Wrap::kRepeat, Wrap::kClamp}, 0), slope({}, 0), 1e-12);
+  const SampledHeightField field(ramp, clamp);
+  EXPECT_NEAR(field.gradient(-0.5, 0.5).x, 1, 1e-12);
+}
+
 TEST(Height, SampledFieldMeetsItsSamplesAndIsContinuous) {
   const Grid<double> grid = pinwheel(64, 0.1);
   const Grid<Vec2> g = gradients(grid);

@@ -128,13 +128,6 @@ TEST(Mesh, FacesOfTheCubeAreUpright) {
   }
 }
 
-TEST(Mesh, SmoothNormalsOfACubeAreItsDiagonals) {
-  Mesh cube = tessellate(make_cube(), 1, 1);
-  for (Vertex& v : cube.vertices) v.N = {};
-  smooth_normals(cube);
-  for (const Vertex& v : cube.vertices) EXPECT_NEAR(length(v.N - normalize(v.P)), 0, 1e-12);
-}
-
 TEST(Mesh, FlatNormalsAreThoseOfTheTriangles) {
   Mesh cube = tessellate(make_cube(), 1, 1);
   const Mesh before = cube;
@@ -156,8 +149,6 @@ TEST(Mesh, DegenerateTrianglesGetFiniteNormals) {
   mesh.vertices[1].P = {1, 0, 0};
   mesh.vertices[2].P = {2, 0, 0};
   mesh.triangles = {{0, 1, 2}};
-  smooth_normals(mesh);
-  for (const Vertex& v : mesh.vertices) EXPECT_EQ(v.N, (Vec3{0, 0, 1}));
   flat_normals(mesh);
   for (const Vertex& v : mesh.vertices) EXPECT_EQ(v.N, (Vec3{0, 0, 1}));
 }

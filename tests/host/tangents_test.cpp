@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -246,6 +248,29 @@ TEST(Tangents, ALongFanTakesLinearTime) {
     corners.insert(corners.end(), {TangentCorner{{}, {0, 0, 1}, {}}, rim(i), rim(i + 1)});
   }
   for (const Tangent& t : generate_tangents(corners)) ASSERT_NEAR(length(t.T - Vec3{1, 0, 0}), 0, 1e-6);
+}
+
+// Round a pole of the texture coordinates every direction meets its opposite, and coordinates may have no area: each
+// takes the time of a sort.
+TEST(Tangents, ThousandsOfTrianglesRoundOnePole) {
+  constexpr int kTriangles = 16000;
+  std::vector<TangentCorner> corners;
+  const auto rim = [](int i, double u) {
+    const double a = 2 * 3.14159265358979 * i / kTriangles;
+    return TangentCorner{{std::cos(a), std::sin(a), 0}, {0, 0, 1}, {u, 0}};
+  };
+  for (int i = 0; i < kTriangles; ++i) {
+    const double u = static_cast<double>(i) / kTriangles;
+    // The pole has one coordinate for all: the welded corner is shared, and each triangle's s is along its rim.
+    corners.insert(corners.end(),
+                   {TangentCorner{{}, {0, 0, 1}, {0.5, 1}}, rim(i, u), rim(i + 1, u + 1.0 / kTriangles)});
+    corners.insert(corners.end(), {TangentCorner{{}, {0, 0, 1}, {0.5, 1}}, rim(i, 0.25), rim(i + 1, 0.25)});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto tangents = generate_tangents(corners);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  for (const Tangent& t : tangents) ASSERT_TRUE(std::isfinite(t.T.x) && std::isfinite(t.T.y));
+  EXPECT_LT(seconds.count(), 2);  // of a machine that does other work too; the square of the number takes half a minute
 }
 
 }  // namespace

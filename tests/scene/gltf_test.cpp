@@ -1,6 +1,8 @@
 // glTF: one small sound model, and everything that may be wrong with it.
+#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -358,6 +360,260 @@ TEST(Gltf, BadTexturesAndImages) {
        {"/materials/0", "roughnessFactor = 1.5"});
   says(R"({"materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 2, 1]}}]})",
        {"/materials/0", "baseColorFactor"});
+}
+
+bool holds(const Notes& notes, const std::string& text) {
+  return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+// A normal map of the square, and the image that it shows.
+void add_map(const Folder& folder, json& model, const std::string& name = "n.png") {
+  std::vector<float> pixels;
+  for (int i = 0; i < 64; ++i) pixels.insert(pixels.end(), {0.4F, static_cast<float>(i) / 64, 0.9F});
+  const auto output = OIIO::ImageOutput::create("n.png");
+  ASSERT_TRUE(output->open((folder.path() / name).string(), OIIO::ImageSpec(8, 8, 3, OIIO::TypeDesc::UINT8)));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
+  ASSERT_TRUE(output->close());
+  model["meshes"][0]["primitives"][0]["material"] = 0;
+  model["materials"] = json::parse(R"([{"normalTexture": {"index": 0}}])");
+  model["textures"] = json::parse(R"([{"source": 0}])");
+  model["images"] = json::array({{{"uri", name}}});
+}
+
+TEST(Gltf, ByteOrderMarksAndIntegersWithAPoint) {
+  const Folder folder;
+  folder.write("square.bin", buffer());
+  std::string text = square().dump();
+  const std::string count = "\"count\":4", with_point = count + ".0";
+  for (std::size_t at = 0; (at = text.find(count, at)) != std::string::npos; at += with_point.size()) {
+    text.replace(at, count.size(), with_point);
+  }
+  const Scene scene = read_scene(folder.write("a.gltf", "\xef\xbb\xbf" + text));
+  EXPECT_EQ(scene.objects.at(0).mesh.vertices.size(), 4U);
+  EXPECT_EQ(read_scene(folder.write("b.glb", binary(embedded(), buffer()))).objects.size(), 1U);
+}
+
+TEST(Gltf, BuffersWithinTheFile) {
+  const Folder folder;
+  json model = square();
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::string bytes = buffer();
+  std::string base64;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t word = 0;
+    for (std::size_t j = 0; j < 3; ++j) word = word << 8 | static_cast<unsigned char>(bytes[i + j]);
+    for (int shift = 18; shift >= 0; shift -= 6) base64 += digits[word >> shift & 63];
+  }
+  for (const char* type : {"application/octet-stream", "application/gltf-buffer;charset=utf-8", ""}) {
+    model["buffers"][0]["uri"] = std::string("data:") + type + ";base64," + base64;
+    EXPECT_EQ(read_scene(folder.write("a.gltf", model.dump())).objects.at(0).mesh.vertices[2].P, (Vec3{1, 1, 0}))
+        << type;
+  }
+  // Megabytes that are no buffer make a short message.
+  model["buffers"][0]["uri"] = "data:model/mine;base64," + std::string(3000000, 'A');
+  expect_error([&] { read_scene(folder.write("a.gltf", model.dump())); },
+               {"/buffers/0/uri", "model/mine", "octet-stream"});
+  model["buffers"][0]["uri"] = std::string(3000000, 'A');
+  expect_error([&] { read_scene(folder.write("a.gltf", model.dump())); }, {"/buffers/0/uri"});
+  expect_error([&] { read_scene(folder.write("a.gltf", "{\"a\": \"" + std::string(3000000, 'A'))); },
+               {"no sound glTF"});
+}
+
+// Zeros, which a sparse accessor starts from and any other may be.
+TEST(Gltf, AccessorsWithoutAView) {
+  const Folder folder;
+  json model = square();
+  model["accessors"][2].erase("bufferView");
+  const Scene scene = read_scene(write(folder, model));
+  for (const Vertex& v : scene.objects.at(0).mesh.vertices) EXPECT_EQ(v.uv, (Vec2{0, 0}));
+}
+
+TEST(Gltf, MatricesThatAreAlmostAffine) {
+  const Folder folder;
+  json model = square();
+  model["nodes"][0]["matrix"] = {2, 0, 0, 1e-9, 0, 2, 0, 0, 0, 0, 2, -1e-9, 4, 6, 8, 2};
+  const Mat4 m = read_scene(write(folder, model)).objects.at(0).to_world;
+  EXPECT_EQ(m(0, 0), 1);
+  EXPECT_EQ(m(1, 3), 3);
+  EXPECT_EQ(m(3, 0), 0);
+  EXPECT_EQ(m(3, 3), 1);
+}
+
+TEST(Gltf, WithoutScenesAllNodesAreDrawn) {
+  const Folder folder;
+  json model = square();
+  model.erase("scenes");
+  model.erase("scene");
+  model["nodes"] = json::parse(R"([{"children": [1]}, {"mesh": 0}, {"mesh": 0}])");
+  Notes notes;
+  EXPECT_EQ(read_scene(write(folder, model), &notes).objects.size(), 2U);
+  EXPECT_TRUE(holds(notes, "/scenes"));
+}
+
+struct Noted {
+  const char* name;
+  const char* pointer;
+  const char* value;
+  const char* note;
+};
+class NotedParts : public ::testing::TestWithParam<Noted> {};
+
+// One note with the name and the place, and the picture without it.
+TEST_P(NotedParts, AreNotApplied) {
+  const Folder folder;
+  json model = square();
+  add_map(folder, model);
+  model[json::json_pointer(GetParam().pointer)] = json::parse(GetParam().value);
+  Notes notes;
+  EXPECT_EQ(read_scene(write(folder, model), &notes).objects.size(), 1U);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(holds(notes, GetParam().note)) << notes[0];
+  EXPECT_TRUE(holds(notes, "square.gltf: /")) << notes[0];
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, NotedParts,
+    ::testing::Values(Noted{"Extension", "/materials/0/extensions", R"({"KHR_materials_clearcoat": {}})",
+                            "KHR_materials_clearcoat"},
+                      Noted{"ExtensionOfANode", "/nodes/0/extensions", R"({"EXT_mesh_gpu_instancing": {}})",
+                            "EXT_mesh_gpu_instancing"},
+                      Noted{"Blend", "/materials/0/alphaMode", "\"BLEND\"", "BLEND"},
+                      Noted{"Mask", "/materials/0/alphaMode", "\"MASK\"", "MASK"},
+                      Noted{"Emission", "/materials/0/emissiveFactor", "[0, 0, 1]", "emission"},
+                      Noted{"Occlusion", "/materials/0/occlusionTexture", R"({"index": 0})", "occlusion"},
+                      Noted{"Metallic", "/materials/0/pbrMetallicRoughness", R"({"metallicFactor": 1})", "metallic"},
+                      Noted{"Skin", "/meshes/0/primitives/0/attributes/JOINTS_0", "1", "skins"},
+                      Noted{"SecondColour", "/meshes/0/primitives/0/attributes/COLOR_1", "1", "COLOR_1"},
+                      Noted{"Morph", "/meshes/0/primitives/0/targets", R"([{"POSITION": 0}])", "morph targets"},
+                      Noted{"Animation", "/animations", R"([{"channels": [], "samplers": []}])", "animations"},
+                      Noted{"SecondScene", "/scenes/1", R"({"nodes": []})", "scenes"},
+                      Noted{"OtherCoordinates", "/materials/0/pbrMetallicRoughness",
+                            R"({"baseColorTexture": {"index": 0, "texCoord": 1}})", "other texture coordinates"}),
+    CaseName());
+
+TEST(Gltf, RequiredExtensionsAreNamedBeforeWhatTheyHide) {
+  const Folder folder;
+  for (const char* name :
+       {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_texture_basisu", "MINE_wings"}) {
+    json model = square();
+    model["extensionsRequired"] = {name};
+    model["accessors"][0]["bufferView"] = 99;
+    model["buffers"][0]["uri"] = "gone.bin";
+    expect_error([&] { read_scene(write(folder, model)); }, {"/extensionsRequired/0", name});
+  }
+  json model = square();
+  model["extensionsRequired"] = {"KHR_texture_transform", "EXT_texture_webp", "KHR_mesh_quantization"};
+  EXPECT_EQ(read_scene(write(folder, model)).objects.size(), 1U);
+}
+
+// The lower left quarter of the image, a quarter turned clockwise: the example of the extension's own text.
+TEST(Gltf, TexturesAreTransformed) {
+  const Folder folder;
+  json model = square();
+  add_map(folder, model);
+  model["materials"][0]["normalTexture"]["extensions"]["KHR_texture_transform"] = {
+      {"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}};
+  Notes notes;
+  const Scene scene = read_scene(write(folder, model), &notes);
+  EXPECT_TRUE(notes.empty());
+  for (const Vertex& v : scene.objects.at(0).mesh.vertices) {
+    const Vec2 written{v.P.x, 1 - v.P.y};
+    EXPECT_NEAR(v.uv.x, 0.5 * written.y, 1e-9);
+    EXPECT_NEAR(v.uv.y, 1 - 0.5 * written.x, 1e-9);
+  }
+}
+
+TEST(Gltf, SpecularGlossinessIsRead) {
+  const Folder folder;
+  json model = square();
+  add_map(folder, model);
+  model["materials"] = json::parse(R"([{"extensions": {"KHR_materials_pbrSpecularGlossiness":
+      {"diffuseFactor": [0.2, 0.4, 0.6, 1], "diffuseTexture": {"index": 0}, "glossinessFactor": 0.5}}}])");
+  Notes notes;
+  const Scene scene = read_scene(write(folder, model), &notes);
+  EXPECT_TRUE(notes.empty());
+  EXPECT_EQ(scene.config, "fine");
+  EXPECT_NEAR(scene.objects.at(0).material.diffuse.y, 0.85 * 0.4, 1e-12);
+  ASSERT_TRUE(scene.objects[0].texture);
+  EXPECT_NEAR(scene.objects[0].texture->levels[0][0].colour[0], 102.0 / 255, 1e-6);
+}
+
+TEST(Gltf, ColoursOfVerticesMultiplyTheMaterial) {
+  const Folder folder;
+  json model = square();
+  std::string bytes = buffer();
+  const std::size_t at = bytes.size();
+  for (int i = 0; i < 4; ++i) append<std::uint8_t>(bytes, {255, 0, 51, 255});
+  model["buffers"][0]["byteLength"] = bytes.size();
+  model["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", 16}});
+  model["accessors"].push_back(
+      {{"bufferView", 6}, {"componentType", 5121}, {"normalized", true}, {"count", 4}, {"type", "VEC4"}});
+  model["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 4;
+  Notes notes;
+  const Scene scene = read_scene(write(folder, model, bytes), &notes);
+  EXPECT_TRUE(notes.empty());
+  ASSERT_EQ(scene.objects.size(), 1U);
+  EXPECT_NEAR(scene.objects[0].material.diffuse.x, 0.7, 1e-12);
+  EXPECT_EQ(scene.objects[0].material.diffuse.y, 0);
+  EXPECT_NEAR(scene.objects[0].material.diffuse.z, 0.14, 1e-12);
+  bytes[at + 4] = 0;  // of the first triangle alone
+  EXPECT_EQ(read_scene(write(folder, model, bytes), &notes).objects.size(), 2U);
+  EXPECT_TRUE(holds(notes, "vertex colours are not interpolated"));
+}
+
+TEST(Gltf, NormalsOfNoLengthAreReplacedAndNoted) {
+  const Folder folder;
+  std::string bytes = buffer();
+  std::memset(bytes.data() + 48 + 12, 0, 24);
+  Notes notes;
+  const Scene scene = read_scene(write(folder, square(), bytes), &notes);
+  for (const Vertex& v : scene.objects.at(0).mesh.vertices) EXPECT_EQ(v.N, (Vec3{0, 0, 1}));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(holds(notes, "/attributes/NORMAL: 2 normals of no length"));
+}
+
+// No length, along the normal, no side: those of the texture coordinates, the others as they are.
+TEST(Gltf, UnusableTangentsAreReplacedAndNoted) {
+  const Folder folder;
+  json model = square();
+  add_map(folder, model);
+  std::string bytes = buffer();
+  const std::size_t at = bytes.size();
+  const float s = std::sqrt(0.5F);
+  append<float>(bytes, {0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 0, s, s, 0, 1});
+  model["buffers"][0]["byteLength"] = bytes.size();
+  model["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", 64}});
+  model["accessors"].push_back({{"bufferView", 6}, {"componentType", 5126}, {"count", 4}, {"type", "VEC4"}});
+  model["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = 4;
+  Notes notes;
+  const Scene scene = read_scene(write(folder, model, bytes), &notes);
+  for (const Vertex& v : scene.objects.at(0).mesh.vertices) {
+    const bool kept = v.P == Vec3{0, 1, 0};
+    EXPECT_NEAR(length(v.T - (kept ? Vec3{std::sqrt(.5), std::sqrt(.5), 0} : Vec3{1, 0, 0})), 0, 1e-6);
+    EXPECT_EQ(v.sign, 1);
+  }
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(holds(notes, "/attributes/TANGENT: 3 tangents"));
+}
+
+TEST(Gltf, TheViewIsOfWhatIsDrawn) {
+  const Folder folder;
+  const Scene plain = read_scene(write(folder, square()));
+  json model = square();
+  std::string bytes = buffer();
+  append<float>(bytes, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 500, 500, 500});
+  model["buffers"][0]["byteLength"] = bytes.size();
+  model["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 156}, {"byteLength", 60}});
+  model["accessors"][0] = {{"bufferView", 6}, {"componentType", 5126}, {"count", 5}, {"type", "VEC3"}};
+  model["meshes"][0]["primitives"][0]["attributes"] = {{"POSITION", 0}};
+  const Scene stray = read_scene(write(folder, model, bytes));
+  EXPECT_EQ(stray.camera.world_to_eye.m, plain.camera.world_to_eye.m);
+  EXPECT_EQ(stray.light.position, plain.light.position);
+}
+
+TEST(Gltf, JsonNestedDeeply) {
+  const Folder folder;
+  expect_error([&] { read_scene(folder.write("a.gltf", "{\"a\":" + std::string(200000, '['))); }, {"nested deeper"});
 }
 
 TEST(Extremes64, ThousandsOfDrawsOfOneMesh) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "sim/scene/scene_reader.h"
@@ -94,6 +95,91 @@ TEST_F(Images, NormalMapsAreKnownByTheirColours) {
   EXPECT_TRUE(looks_like_normal_map(tiles));
   EXPECT_FALSE(looks_like_normal_map(Image{8, 8, 3, std::vector<float>(192, 0.9F)}));
   EXPECT_FALSE(looks_like_normal_map(Image{8, 8, 1, std::vector<float>(64, 0.9F)}));
+}
+
+TEST_F(Images, TwoChannelsOfNormalsGetTheirThird) {
+  const fs::path path = folder_.path() / "two.exr";
+  write_image(path, 1, 2, 2, {0.8F, 0.5F, 1.0F, 1.0F}, OIIO::TypeDesc::FLOAT);
+  Notes notes;
+  const Image image = read_normal_map(path, notes);
+  ASSERT_EQ(image.channels, 3);
+  EXPECT_NEAR(image.at(0, 0, 2), (std::sqrt(1 - 0.6 * 0.6) + 1) / 2, 1e-6);
+  EXPECT_NEAR(image.at(0, 1, 2), 0.5, 1e-6);  // longer than 1: at the rim
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST_F(Images, GreyIsNoNormalMap) {
+  Notes notes;
+  write_image(folder_.path() / "grey.png", 4, 4, 1, ramp(16));
+  expect_error([&] { read_normal_map(folder_.path() / "grey.png", notes); }, {"grey.png", "one channel", "height"});
+  write_image(folder_.path() / "alpha.png", 4, 4, 2, ramp(32));
+  expect_error([&] { read_normal_map(folder_.path() / "alpha.png", notes); }, {"alpha.png", "one channel"});
+  write_image(folder_.path() / "same.png", 2, 1, 3, {0.25F, 0.25F, 0.25F, 0.75F, 0.75F, 0.75F});
+  EXPECT_EQ(read_normal_map(folder_.path() / "same.png", notes).channels, 3);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_THAT(notes[0], ::testing::HasSubstr("same.png"));
+}
+
+TEST_F(Images, ChannelsAreTakenByName) {
+  OIIO::ImageSpec spec(1, 1, 6, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {"A", "B", "G", "R", "Z", "id"};
+  const auto output = OIIO::ImageOutput::create("a.exr");
+  const std::array<float, 6> pixel{0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F};
+  ASSERT_TRUE(output->open((folder_.path() / "a.exr").string(), spec));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixel.data()));
+  ASSERT_TRUE(output->close());
+  const Image image = read_image(folder_.path() / "a.exr");
+  EXPECT_EQ(image.pixels, (std::vector<float>{0.4F, 0.3F, 0.2F}));
+  spec.channelnames = {"a", "b", "c", "d", "e", "f"};
+  ASSERT_TRUE(output->open((folder_.path() / "b.exr").string(), spec));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixel.data()));
+  ASSERT_TRUE(output->close());
+  expect_error([&] { read_image(folder_.path() / "b.exr"); }, {"b.exr", "6 channels", "R, G and B"});
+}
+
+// The display window is the image: what the data window lacks is 0, what it has beyond is cut.
+TEST_F(Images, DisplayWindowsOfOpenExr) {
+  OIIO::ImageSpec spec(2, 2, 1, OIIO::TypeDesc::FLOAT);
+  spec.x = 1;
+  spec.y = -1;
+  spec.full_x = spec.full_y = 0;
+  spec.full_width = 3;
+  spec.full_height = 2;
+  const auto output = OIIO::ImageOutput::create("a.exr");
+  const std::array<float, 4> pixels{1, 2, 3, 4};
+  ASSERT_TRUE(output->open((folder_.path() / "a.exr").string(), spec));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
+  ASSERT_TRUE(output->close());
+  const Image image = read_image(folder_.path() / "a.exr");
+  ASSERT_EQ(image.width, 3);
+  ASSERT_EQ(image.height, 2);
+  EXPECT_EQ(image.pixels, (std::vector<float>{0, 3, 4, 0, 0, 0}));
+}
+
+// A gamma and an sRGB chunk say how codes are to be seen, not what they are.
+TEST_F(Images, ColourProfilesChangeNoCode) {
+  const std::string plain = png();
+  const auto chunk = [](const std::string& type, const std::string& data) {
+    return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc(type + data));
+  };
+  const Image expected = read_image(folder_.path() / "good.png");
+  for (const std::string& extra :
+       {chunk("gAMA", big_endian(100000)), chunk("gAMA", big_endian(22727)), chunk("sRGB", std::string(1, '\0'))}) {
+    std::string marked = plain;
+    marked.insert(33, extra);  // behind the header
+    EXPECT_EQ(read_image(folder_.write("marked.png", marked)).pixels, expected.pixels);
+    EXPECT_EQ(read_image(marked, Place{"model.glb"}).pixels, expected.pixels);
+  }
+}
+
+TEST_F(Images, FormatsFromMemoryAsFromFile) {
+  for (const char* name : {"a.png", "a.exr", "a.tif", "a.bmp", "a.webp", "a.hdr"}) {
+    SCOPED_TRACE(name);
+    write_image(folder_.path() / name, 8, 8, 3, ramp(8 * 8 * 3));
+    const std::string bytes = read_bytes(folder_.path() / name);
+    EXPECT_EQ(read_image(bytes, Place{"model.glb"}).pixels, read_image(folder_.path() / name).pixels);
+  }
+  expect_error([&] { read_image(std::string("no image"), Place{"model.glb"}); }, {"model.glb", "no image format"});
 }
 
 TEST_F(Images, Extremes49PngTruncatedAtEveryByte) {
