@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kClocks = 1000, kEpisode = 40, kLeastRuns = 4, kMostRuns = 16;
+constexpr int kClocks = 1000, kEpisode = 40, kLeastRuns = 4, kMostRuns = 40;
 // After so many clocks nothing is left of the state at the start.
 constexpr int kForgotten = 256;
 // With registers as wires, a word stays until the deepest pipeline shows it, and only then is compared.

@@ -121,6 +121,24 @@ TEST_F(NetlistCheck, AMissingRegisterIsRefused) {
   expect_refused("delayed");
 }
 
+// A register that never becomes 1: what it would do then is not known.
+TEST_F(NetlistCheck, WhatNeverChangesHasNoFigure) {
+  make("latch", R"(
+module latch (input clk, input step_i, output step_o);
+  reg kept_q;
+  always @(posedge clk) kept_q <= kept_q & step_i;
+  assign step_o = kept_q;
+endmodule
+)",
+       "read_verilog " + (options_.folder / "source.v").string() + "\nsynth -flatten");
+  try {
+    check_netlist(options_);
+    FAIL() << "not refused";
+  } catch (const SynthesisError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("kept_q[0] of latch never changed in 40000 clocks"));
+  }
+}
+
 // An FPGA's cell may hold a register without its name. Then both sides start from another state, and soon it matters no
 // more; where names are kept, that is refused.
 TEST_F(NetlistCheck, RegistersWithoutNamesAreForgotten) {
@@ -258,6 +276,17 @@ TEST_F(NetlistCheck, AnEnabledDelayIsEqualOnXilinx) {
       synthesise("wrinkle_delay", {{"WIDTH", 1}, {"RANKS", 8}}, CellLibrary::kXilinx, options);
   EXPECT_EQ(result.flip_flops, 8);
   EXPECT_GE(result.checked.clocks, 4000);
+}
+
+TEST_F(NetlistCheck, ItsWordsFindNinetyNineOfAHundredFaults) {
+  SynthesisOptions options;
+  options.cache = options_.folder / "cache";
+  options.faults = 300;
+  for (const char* stage : {"wrinkle_packet", "wrinkle_scan"}) {
+    const NetlistChecked checked = synthesise(stage, {}, CellLibrary::kOsu035, options).checked;
+    EXPECT_EQ(checked.faults, 300) << stage;
+    EXPECT_GE(checked.faults_found, 297) << stage;
+  }
 }
 
 // The old map of adders, kept as a file of this test.
