@@ -109,28 +109,30 @@ std::string simulation_models(CellLibrary library) {
   return fmt::format("+/{}/cells_sim.v{}", name, fs::exists(more) ? " " + more.string() : "");
 }
 
+std::string techmap(const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); }
+
+// Rounds enough that no full adder of a stage keeps a constant pin.
+std::string without_constant_pins() {
+  std::string text;
+  for (int round = 0; round < 8; ++round)
+    text += techmap("full_adder_constant.v") + "techmap t:$xor t:$and t:$or %u %u\nopt_expr\nopt_merge\nopt_clean\n";
+  return text + "opt -full\n";
+}
+
 // What the @...@ of a script stand for.
 std::string filled_in(const Job& job, const std::string& script) {
   std::string sources, includes, parameters;
   for (const fs::path& source : job.mapped) sources += " " + source.string();
   for (const fs::path& folder : include_folders(job.sources)) includes += " -I" + folder.string();
   for (const auto& [name, value] : job.parameters) parameters += fmt::format(" -chparam {} {}", name, value.text);
-  const auto techmap = [&](const char* map) { return fmt::format("techmap -map {}\n", (scripts() / map).string()); };
   const std::string map_registers =
       job.options.registers ? "" : replace_all(kRegistersToWires, "@FOLDER@", job.folder.string());
   const std::string map_products =
       map_registers + (job.options.full_adders ? techmap("square.v") + techmap("signed_multiply.v") + "opt\n" : "");
-  // Rounds enough that no full adder of a stage keeps a constant pin.
-  std::string constant_pins;
-  for (int round = 0; round < 8; ++round)
-    constant_pins +=
-        techmap("full_adder_constant.v") + "techmap t:$xor t:$and t:$or %u %u\nopt_expr\nopt_merge\nopt_clean\n";
-  constant_pins += "opt -full\n";
-
   const fs::path adders = job.options.adders.empty() ? "full_adders.ys" : job.options.adders;
   std::string text = script_text(script);
   text = replace_all(text, "@MAP_ADDERS@", job.options.full_adders ? script_text(adders) : "techmap");
-  text = replace_all(text, "@CONSTANT_PINS@", constant_pins);
+  text = replace_all(text, "@CONSTANT_PINS@", without_constant_pins());
   text = replace_all(text, "@SOURCES@", sources);
   text = replace_all(text, "@INCLUDES@", includes);
   text = replace_all(text, "@TOP@", job.top);
@@ -268,6 +270,7 @@ std::string job_key(const Job& job) {
   }
   key.add(fmt::format("{} {} {} {}", job.is_placed(), job.options.full_adders, job.options.faults, kCheckVersion));
   key.add(job.options.effort);
+  key.add(replace_all(without_constant_pins(), scripts().string(), ""));
   if (!job.options.adders.empty()) key.add(read_text(job.options.adders));
   if (!job.options.registers) key.add(std::string(kRegistersToWires) + kWires);
   key.add(provenance(job));
