@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cctype>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "golden/config/verilog.h"
 #include "sim/command.h"
 #include "sim/config_file.h"
 #include "sim/losses.h"
@@ -36,9 +35,7 @@ std::string verilog(const Config& config) {
   std::vector<std::string> connections;
   for (const Parameter& parameter : parameters()) {
     if (parameter.scope != Scope::core) continue;
-    std::string name(parameter.name);
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::toupper(c)); });
-    connections.push_back(fmt::format("    .{}({})", name, config.*parameter.member));
+    connections.push_back(fmt::format("    .{}({})", verilog_text(parameter.name), config.*parameter.member));
   }
   return fmt::format("#(\n{}\n)", fmt::join(connections, ",\n"));
 }

@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 
+#include "golden/config/verilog.h"
 #include "golden/pixel/pixel.h"
 #include "golden/stages.h"
 #include "tb/fingerprint.h"
@@ -48,9 +48,7 @@ Arguments verilator_flags(const Config& config, const ModelOptions& options) {
   if (options.trace) flags.push_back("--trace-fst");
   for (const Parameter& parameter : parameters()) {
     if (parameter.scope != Scope::core) continue;
-    std::string name(parameter.name);
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-    flags.push_back(fmt::format("-G{}={}", name, config.*parameter.member));
+    flags.push_back(fmt::format("-G{}={}", verilog_text(parameter.name), config.*parameter.member));
   }
   return flags;
 }

@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
+#include "golden/config/verilog.h"
 #include "golden/stages.h"
 #include "tb/process.h"
 
@@ -45,12 +45,6 @@ std::set<std::string> words_of(const std::string& text, const char* pattern) {
   std::set<std::string> words;
   for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i) words.insert((*i)[1]);
   return words;
-}
-
-std::string upper(std::string_view name) {
-  std::string text(name);
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::toupper(c)); });
-  return text;
 }
 
 // The instances in the core, each other module a black box.
@@ -93,7 +87,7 @@ VerilogParameters core_parameters(const Config& config) {
   const std::set<std::string> declared = words_of(text, R"(\bparameter\s+(\w+)\s*=)");
   VerilogParameters values;
   for (const Parameter& parameter : parameters()) {
-    const std::string name = upper(parameter.name);
+    const std::string name = verilog_text(parameter.name);
     if (declared.contains(name)) values.emplace(name, config.*parameter.member);
   }
   return values;

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "golden/config/verilog.h"
 #include "golden/stages.h"
 #include "tb/bench.h"
 #include "tb/model.h"
@@ -58,8 +59,7 @@ Ports elaborated_ports(const Config& config) {
       "read_verilog -I" + root.string() + " " + (root / "wrinkle_core.v").string() + "\nhierarchy -top wrinkle_core";
   const std::string core = read_text(root / "wrinkle_core.v") + read_text(root / "wrinkle_config.vh");
   for (const Parameter& parameter : parameters()) {
-    std::string name(parameter.name);
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+    const std::string name = verilog_text(parameter.name);
     // What set-up alone reads is no parameter of the core.
     if (core.find("parameter " + name + " ") != std::string::npos)
       script += " -chparam " + name + " " + std::to_string(config.*parameter.member);

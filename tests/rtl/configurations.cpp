@@ -2,13 +2,13 @@
 // that differ from the defaults. Together they have every value of every choice, both ends of every width, and every
 // pair of values of two choices that is legal and is met. The same lines at every run.
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 #include <random>
 #include <set>
 #include <string>
 #include <tuple>
 
+#include "golden/config/verilog.h"
 #include "golden/config/config.h"
 
 namespace wrinkle {
@@ -52,9 +52,7 @@ void print(const Config& config) {
   std::string line;
   for (const Parameter& p : parameters()) {
     if (p.scope != Scope::core || config.*p.member == p.standard) continue;
-    std::string name(p.name);
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-    line += (line.empty() ? "" : " ") + name + "=" + std::to_string(config.*p.member);
+    line += (line.empty() ? "" : " ") + verilog_text(p.name) + "=" + std::to_string(config.*p.member);
   }
   std::cout << line << '\n';
 }
