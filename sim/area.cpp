@@ -124,15 +124,16 @@ int run_normalizers(const Options& options) {
   return kExitEqual;
 }
 
-// Of faults put into each netlist, those that the words of its check find.
+// Of faults put into each netlist, those that the words of its check find and those that are proved to change nothing.
 void print_faults(const AreaReport& report) {
-  fmt::print("{:<22} {:>8} {:>8} {:>22} {:>22}\n", "stage", "faults", "found", "registers that changed",
-             "outputs that changed");
+  fmt::print("{:<22} {:>8} {:>8} {:>10} {:>22} {:>22}\n", "stage", "faults", "found", "redundant",
+             "registers that changed", "outputs that changed");
   for (const StageArea& stage : report.stages) {
     const NetlistChecked& c = stage.result.checked;
-    fmt::print("{:<22} {:>8} {:>8} {:>22} {:>22}\n", stage.stage, c.faults, c.faults_found,
+    fmt::print("{:<22} {:>8} {:>8} {:>10} {:>22} {:>22}\n", stage.stage, c.faults, c.faults_found, c.faults_redundant,
                fmt::format("{} of {}", c.registers_changed, c.registers),
                fmt::format("{} of {}", c.outputs_changed, c.outputs));
+    for (const std::string& missed : c.faults_missed) fmt::print("  missed: {}\n", missed);
   }
 }
 

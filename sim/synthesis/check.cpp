@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <fstream>
 #include <optional>
 #include <random>
 
+#include "sim/synthesis/faults.h"
 #include "sim/synthesis/stimulus.h"
 #include "sim/synthesis/testbench.h"
 #include "tb/process.h"
@@ -17,7 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kClocks = 1000, kEpisode = 40, kLeastRuns = 4, kMostRuns = 40;
+constexpr int kClocks = 1000, kLeastRuns = 20, kMostRuns = 100;
+// From one state to the next, in every other run: long enough for buffers to fill, and short, for as many states.
+constexpr int kLong = 40, kShort = 5;
 // After so many clocks nothing is left of the state at the start.
 constexpr int kForgotten = 256;
 // With registers as wires, a word stays until the deepest pipeline shows it, and only then is compared.
@@ -27,6 +29,7 @@ constexpr int kStay = 8;
 // of each episode.
 struct Run {
   std::uint64_t seed;
+  int episode;
   std::vector<std::vector<bool>> states;
   std::vector<std::string> inputs, results;
 };
@@ -58,7 +61,7 @@ class Check {
     find_sources();
     find_registers();
     find_flip_flops();
-    bench_.episode = starts_alike_ ? kEpisode * stay() : bench_.clocks;
+    bench_.shortest_episode = episode(0);
     find_constants();
     if (bench_.outputs.nets.empty()) throw SynthesisError(options.top + " has no output");
   }
@@ -66,8 +69,9 @@ class Check {
   NetlistChecked run() {
     build();
     for (int number = 1; number <= kLeastRuns || (number <= kMostRuns && !all_changed()); ++number) {
-      runs_.push_back(simulate_verilog(static_cast<std::uint64_t>(number)));
-      compare(runs_.back());
+      Run run = simulate_verilog(static_cast<std::uint64_t>(number));
+      compare(run);
+      if (options_.faults > 0) runs_.push_back(std::move(run));
       checked_.clocks += bench_.clocks;
       count_changes();
     }
@@ -135,12 +139,12 @@ class Check {
   }
 
   Run simulate_verilog(std::uint64_t seed) const {
-    Run run{seed, {}, stimulus(ports_, {seed, bench_.clocks, stay()}), {}};
+    Run run{seed, episode(seed), {}, stimulus(ports_, {seed, bench_.clocks, stay(), draw(seed)}), {}};
     draw_states(run);
     std::ofstream inputs(options_.folder / "inputs");
     for (const std::string& line : run.inputs) inputs << (line.empty() ? "0" : line) << '\n';
     inputs.close();
-    tool({"vvp", "-n", options_.folder / "check.vvp"});
+    tool({"vvp", "-n", options_.folder / "check.vvp", fmt::format("+episode={}", run.episode)});
     std::ifstream results(options_.folder / "results");
     for (std::string line; std::getline(results, line);) run.results.push_back(line);
     if (run.results.size() != run.inputs.size()) throw SynthesisError(options_.top + ": the simulation stopped early");
@@ -154,7 +158,7 @@ class Check {
     std::vector<std::string> words;
     for (const Register& word : bench_.registers) words.emplace_back(word.bits, '0');
     std::ofstream file(options_.folder / "state");
-    for (int clock = 0; clock < bench_.clocks; clock += bench_.episode) {
+    for (int clock = 0; clock < bench_.clocks; clock += run.episode) {
       for (std::string& word : words) draw_word(word, random);
       std::vector<bool> state(netlist_.flip_flops.size());
       for (std::size_t i = 0; i < state.size(); ++i) state[i] = random() % 2 != 0;
@@ -193,6 +197,8 @@ class Check {
     simulation.settle();
   }
 
+  int episode(std::uint64_t run) const { return starts_alike_ ? draw(run) : bench_.clocks; }
+  int draw(std::uint64_t run) const { return stay() * (run % 2 != 0 ? kLong : kShort); }
   int stay() const { return options_.registers ? 1 : kStay; }
   bool is_compared(std::size_t clock) const {
     const int time = static_cast<int>(clock);
@@ -201,7 +207,7 @@ class Check {
 
   // The netlist at one clock of a run, its inputs settled.
   void step(GateSimulation& simulation, const Run& run, std::size_t clock) const {
-    const auto episode = static_cast<std::size_t>(bench_.episode);
+    const auto episode = static_cast<std::size_t>(run.episode);
     if (clock % episode == 0) simulation.set_state(run.states[clock / episode]);
     drive(simulation, run.inputs[clock]);
   }
@@ -286,32 +292,8 @@ class Check {
     return "a flip-flop without a name";
   }
 
-  // Gates that something reads, without those that only name a net or a constant anew.
-  std::vector<std::size_t> gates_that_matter() const {
-    std::vector<bool> is_read(netlist_.nets);
-    for (const std::uint32_t net : bench_.outputs.nets) is_read[net] = true;
-    for (const FlipFlop& flip_flop : netlist_.flip_flops) is_read[flip_flop.d] = true;
-    std::vector<std::size_t> found;
-    for (std::size_t g = netlist_.gates.size(); g-- > 0;) {
-      const Gate& gate = netlist_.gates[g];
-      if (!is_read[gate.y]) continue;
-      is_read[gate.a] = is_read[gate.b] = true;
-      if (!gate.is_buffer() || gate.is_inverter()) found.push_back(g);
-    }
-    return found;
-  }
-
-  std::vector<Fault> random_faults() const {
-    const std::vector<std::size_t> gates = gates_that_matter();
-    std::mt19937_64 random(17);
-    std::vector<Fault> faults;
-    while (static_cast<int>(faults.size()) < options_.faults && !gates.empty())
-      faults.push_back({gates[random() % gates.size()], static_cast<Fault::Kind>(random() % 5)});
-    return faults;
-  }
-
   void find_faults() {
-    const std::vector<Fault> faults = random_faults();
+    const std::vector<Fault> faults = random_faults(netlist_, bench_.outputs.nets, options_.faults);
     constexpr std::size_t kMachines = 64;
     for (std::size_t first = 0; first < faults.size(); first += kMachines) {
       const std::size_t last = std::min(first + kMachines, faults.size());
@@ -321,8 +303,18 @@ class Check {
       std::uint64_t found = 0;
       for (std::size_t i = 0; i < runs_.size() && found != all; ++i)
         found |= faults_found(runs_[i], some, all & ~found);
-      checked_.faults += static_cast<int>(some.size());
-      checked_.faults_found += std::popcount(found);
+      for (std::size_t i = 0; i < some.size(); ++i) count_fault(some[i], (found >> i & 1) != 0);
+    }
+  }
+
+  void count_fault(const Fault& fault, bool is_found) {
+    ++checked_.faults;
+    if (is_found) {
+      ++checked_.faults_found;
+    } else if (is_redundant(netlist_, fault, bench_.outputs.nets, options_.folder)) {
+      ++checked_.faults_redundant;
+    } else {
+      checked_.faults_missed.push_back(fault_text(netlist_, fault));
     }
   }
 

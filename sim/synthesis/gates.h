@@ -35,12 +35,13 @@ struct GateNetlist {
   std::vector<Gate> gates;  // each behind those that drive it
   std::vector<FlipFlop> flip_flops;
   std::uint32_t nets = 0;  // net 0 is always 0
-  // Every net that a gate, a flip-flop or an input drives; some have several names.
+  // Nets of the top that a gate, a flip-flop or an input drives; some have several names.
   std::unordered_map<std::string, std::uint32_t> names;
 };
 
-// Reads what Yosys's `write_blif -gates -icells` writes of a flat module of its own gates and positive-edge flip-flops
-// of the clock `clk`. A net without a driver is 0. Throws SynthesisError for another cell, another clock or a loop.
+// Reads what Yosys's `write_blif -gates -icells` writes of its own gates and positive-edge flip-flops of the clock
+// `clk`, and of modules made of them; the first model is the whole. A net without a driver is 0. Throws SynthesisError
+// for another cell, another clock or a loop.
 GateNetlist read_gates(const std::filesystem::path& blif);
 
 // One gate wrong in one machine.
@@ -55,6 +56,11 @@ struct Fault {
   std::size_t gate = 0;
   Kind kind = Kind::kOutput0;
 };
+
+// The output of a gate for 64 machines.
+std::uint64_t evaluate(const Gate& gate, std::uint64_t a, std::uint64_t b);
+// The same of a gate that is wrong in all of them.
+std::uint64_t evaluate(const Gate& gate, Fault::Kind kind, std::uint64_t a, std::uint64_t b);
 
 class GateSimulation {
  public:

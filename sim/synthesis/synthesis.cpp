@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Another number makes every kept result be checked anew.
-constexpr int kCheckVersion = 5;
+constexpr int kCheckVersion = 11;
 
 // One run: what to make, from what, where.
 struct Job {
@@ -202,10 +202,9 @@ double placed_path(const Job& job) {
   return 1000.0 / clocks.front().at("achieved").get<double>();
 }
 
-NetlistChecked checked(const Job& job) {
-  run_script(job, {"yosys", "-Q", "-s"}, job.is_standard_cells() ? "cells_gates.ys" : "fpga_gates.ys");
-  return check_netlist({job.top, job.parameters, job.sources, include_folders(job.sources), job.folder / "gates.blif",
-                        job.folder, job.options.registers, job.is_standard_cells(), job.options.faults});
+NetlistChecked checked(const Job& job, const fs::path& gates) {
+  return check_netlist({job.top, job.parameters, job.sources, include_folders(job.sources), gates, job.folder,
+                        job.options.registers, job.is_standard_cells(), job.options.faults});
 }
 
 std::string provenance(const Job& job) {
@@ -221,10 +220,11 @@ std::string provenance(const Job& job) {
   return text;
 }
 
+// A netlist that is not checked yet, and its gates as gates.blif in the folder of the job.
 SynthesisResult make(const Job& job) {
   SynthesisResult result = cell_counts(job);
   result.provenance = provenance(job);
-  result.checked = checked(job);
+  run_script(job, {"yosys", "-Q", "-s"}, job.is_standard_cells() ? "cells_gates.ys" : "fpga_gates.ys");
   if (job.is_standard_cells()) {
     add_area(result, lef_path(job.library));
     // A module of wires alone comes out a hair below 0.
@@ -258,22 +258,33 @@ std::vector<fs::path> own_scripts(const Job& job) {
   return found;
 }
 
-std::string job_key(const Job& job) {
+// Of what the netlist depends on.
+std::string netlist_key(const Job& job) {
   Fingerprint key;
   key.add(job.top);
   for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value.text));
-  for (const auto* files : {&job.sources, &job.mapped}) add_files(key, *files);
+  add_files(key, job.mapped);
+  for (const fs::path& header : files_in(include_folders(job.sources), ".vh")) key.add(read_text(header));
   for (const fs::path& script : own_scripts(job)) key.add(read_text(script));
   if (job.is_standard_cells()) {
     key.add(read_text(liberty_path(job.library)));
     key.add(read_text(lef_path(job.library)));
   }
-  key.add(fmt::format("{} {} {} {}", job.is_placed(), job.options.full_adders, job.options.faults, kCheckVersion));
+  key.add(fmt::format("{} {}", job.is_placed(), job.options.full_adders));
   key.add(job.options.effort);
   key.add(replace_all(without_constant_pins(), scripts().string(), ""));
   if (!job.options.adders.empty()) key.add(read_text(job.options.adders));
   if (!job.options.registers) key.add(std::string(kRegistersToWires) + kWires);
   key.add(provenance(job));
+  return key.hex();
+}
+
+// Of what its check depends on too.
+std::string job_key(const Job& job, const std::string& netlist) {
+  Fingerprint key;
+  key.add(netlist);
+  add_files(key, job.sources);
+  key.add(fmt::format("{} {}", job.options.faults, kCheckVersion));
   return key.hex();
 }
 
@@ -296,6 +307,25 @@ struct TemporaryFolder {
     fs::remove_all(path, ignored);
   }
 };
+
+void keep(const SynthesisResult& result, const fs::path& path) {
+  const fs::path partial = path.string() + ".partial";
+  std::ofstream(partial) << to_json(result).dump(1) << '\n';
+  fs::rename(partial, path);
+}
+
+// What is known of a netlist whose gates are KEY.blif.
+fs::path unchecked(const fs::path& cache, const std::string& key) { return cache / (key + ".unchecked"); }
+
+// What make() made before, or makes now.
+SynthesisResult kept_netlist(const Job& job, const fs::path& cache, const std::string& key) {
+  const fs::path kept = unchecked(cache, key);
+  if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));
+  const SynthesisResult result = make(job);
+  fs::rename(job.folder / "gates.blif", cache / (key + ".blif"));
+  keep(result, kept);
+  return result;
+}
 
 }  // namespace
 
@@ -320,21 +350,22 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
   const std::vector<fs::path> folders = include_folders(job.sources);
   job.mapped = elaborated_files(top, parameters, mapped_sources(job.sources), folders, cache);
   job.sources = elaborated_files(top, parameters, job.sources, folders, cache);
-  const std::string key = job_key(job);
+  const std::string netlist = netlist_key(job), key = job_key(job, netlist);
   const fs::path kept = cache / (key + ".json");
   if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));
 
-  const FileLock lock(cache / (key + ".lock"));
+  const FileLock lock(cache / (netlist + ".lock"));
   if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));
-  if (progress) progress(fmt::format("synthesising {} for {}", top, cell_library_name(library)));
-  const TemporaryFolder folder{cache / (key + ".work")};
+  const TemporaryFolder folder{cache / (netlist + ".work")};
   fs::remove_all(folder.path);
   fs::create_directories(folder.path);
   job.folder = folder.path;
-  const SynthesisResult result = make(job);
-  const fs::path partial = cache / (key + ".partial");
-  std::ofstream(partial) << to_json(result).dump(1) << '\n';
-  fs::rename(partial, kept);
+  if (progress)
+    progress(fmt::format("{} {} for {}", fs::exists(unchecked(cache, netlist)) ? "comparing" : "synthesising", top,
+                         cell_library_name(library)));
+  SynthesisResult result = kept_netlist(job, cache, netlist);
+  result.checked = checked(job, cache / (netlist + ".blif"));
+  keep(result, kept);
   return result;
 }
 
