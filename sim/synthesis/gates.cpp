@@ -318,8 +318,11 @@ GateSimulation::GateSimulation(const GateNetlist& netlist, const std::vector<Fau
   faulty_.erase(std::unique(faulty_.begin(), faulty_.end()), faulty_.end());
 }
 
-void GateSimulation::set_state(const std::vector<bool>& state) {
-  for (std::size_t i = 0; i < state.size(); ++i) set(netlist_->flip_flops[i].q, state[i]);
+void GateSimulation::set_state(const std::vector<bool>& state, std::uint64_t machines) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    std::uint64_t& value = values_[netlist_->flip_flops[i].q];
+    value = (value & ~machines) | (mask(state[i]) & machines);
+  }
 }
 
 void GateSimulation::settle(std::size_t from, std::size_t to) {

@@ -67,13 +67,13 @@ class GateSimulation {
   // Machine i has faults[i], the rest are right. Flip-flops start with 0.
   explicit GateSimulation(const GateNetlist& netlist, const std::vector<Fault>& faults = {});
 
-  void set(std::uint32_t net, bool value) { values_[net] = value ? ~std::uint64_t{0} : 0; }
-  // A bit for each flip-flop.
-  void set_state(const std::vector<bool>& state);
+  // A bit for each machine.
+  void set(std::uint32_t net, std::uint64_t value) { values_[net] = value; }
+  // A bit for each flip-flop, of the machines in `machines`.
+  void set_state(const std::vector<bool>& state, std::uint64_t machines);
   void settle();
   void clock();
   std::uint64_t value(std::uint32_t net) const { return values_[net]; }
-  bool bit(std::uint32_t net) const { return (values_[net] & 1) != 0; }  // of machine 0
 
  private:
   void settle(std::size_t from, std::size_t to);
