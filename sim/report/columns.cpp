@@ -1,11 +1,12 @@
 #include "sim/report/columns.h"
 
-#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "sim/oiio/library.h"
 
 namespace wrinkle {
 namespace {
@@ -44,7 +45,7 @@ json column(const Picture& all, const std::vector<std::uint8_t>& covered, std::s
 }  // namespace
 
 std::string data_uri(const Picture& picture) {
-  return "data:image/png;base64," + OIIO::Strutil::base64_encode(encode_png(picture));
+  return "data:image/png;base64," + oiio::library().base64(encode_png(picture));
 }
 
 json picture_with_columns(Engine engine, const Config& config, const Frame& frame) {

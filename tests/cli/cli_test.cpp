@@ -215,6 +215,20 @@ TEST_F(Cli, LossesAreNoted) {
   EXPECT_THAT(said("patch_fig6"), testing::Not(HasSubstr("not drawn")));
 }
 
+// A command that reads no image does not wait for the libraries that read them: what the loader loads is their time.
+TEST_F(Cli, SmallSceneLoadsNoImageLibraries) {
+  setenv("LD_DEBUG", "files", 1);
+  const auto loads_it = [&](const std::string& arguments) {
+    setenv("LD_DEBUG_OUTPUT", path(arguments.substr(0, 3)).c_str(), 1);
+    EXPECT_EQ(run("render " + arguments).exit_code, 0);
+    unsetenv("LD_DEBUG_OUTPUT");
+    return std::system(("grep -q libOpenImageIO " + path(arguments.substr(0, 3)) + ".*").c_str()) == 0;
+  };
+  EXPECT_FALSE(loads_it("patch_fig1 -o " + path("a.png")));
+  EXPECT_TRUE(loads_it("-o " + path("a.exr") + " patch_fig1"));
+  unsetenv("LD_DEBUG");
+}
+
 TEST_F(Cli, ConfigShowsWhatFollows) {
   const Result table = run("config lean patch_fig6 --set unit_bits=8,dot_bits=9 --json " + path("a.json"));
   EXPECT_EQ(table.exit_code, 0) << table.output;
