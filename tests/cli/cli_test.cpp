@@ -218,14 +218,14 @@ TEST_F(Cli, LossesAreNoted) {
 // A command that reads no image does not wait for the libraries that read them: what the loader loads is their time.
 TEST_F(Cli, SmallSceneLoadsNoImageLibraries) {
   setenv("LD_DEBUG", "files", 1);
-  const auto loads_it = [&](const std::string& arguments) {
-    setenv("LD_DEBUG_OUTPUT", path(arguments.substr(0, 3)).c_str(), 1);
-    EXPECT_EQ(run("render " + arguments).exit_code, 0);
+  const auto loads_it = [&](const std::string& picture) {
+    setenv("LD_DEBUG_OUTPUT", path("loaded_for_" + picture).c_str(), 1);
+    EXPECT_EQ(run("render patch_fig1 -o " + path(picture)).exit_code, 0);
     unsetenv("LD_DEBUG_OUTPUT");
-    return std::system(("grep -q libOpenImageIO " + path(arguments.substr(0, 3)) + ".*").c_str()) == 0;
+    return std::system(("grep -q 'libOpenImageIO.so' " + path("loaded_for_" + picture) + ".*").c_str()) == 0;
   };
-  EXPECT_FALSE(loads_it("patch_fig1 -o " + path("a.png")));
-  EXPECT_TRUE(loads_it("-o " + path("a.exr") + " patch_fig1"));
+  EXPECT_FALSE(loads_it("a.png"));
+  EXPECT_TRUE(loads_it("a.exr"));
   unsetenv("LD_DEBUG");
 }
 

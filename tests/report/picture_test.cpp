@@ -35,9 +35,8 @@ TEST_P(Written, CodesAreTheNearest) {
   std::filesystem::remove(path);
 }
 
-INSTANTIATE_TEST_SUITE_P(Endings, Written, testing::Values(".png", ".tif", ".bmp"), [](const auto& ending) {
-  return std::string(ending.param + 1);
-});
+INSTANTIATE_TEST_SUITE_P(Endings, Written, testing::Values(".png", ".tif", ".bmp"),
+                         [](const auto& ending) { return std::string(ending.param + 1); });
 
 TEST(Written, PngInMemoryIsTheFile) {
   const auto path = std::filesystem::path(testing::TempDir()) / "wrinkle_memory.png";
