@@ -9,15 +9,18 @@
 namespace wrinkle {
 
 // Draws until check() is content. `between(low, high)` draws one integer. The screen is at most 2^largest_screen wide.
+// The gloss is drawn last, where it is legal, so that a seed gives the other parameters whether there is one or not.
 template <std::invocable<int, int> Between>
 Config random_config(Between&& between, int largest_screen = std::numeric_limits<int>::max()) {
   Config config;
   do {
     for (const Parameter& parameter : parameters()) {
+      if (parameter.member == &Config::gloss_map) continue;
       config.*parameter.member = static_cast<int>(between(parameter.minimum, parameter.maximum));
     }
     if (config.screen_bits > largest_screen) config.screen_bits = largest_screen;
   } while (!check(config).key.empty());
+  if (Shape(config).glossy != 0) config.gloss_map = static_cast<int>(between(0, 1));
   return config;
 }
 

@@ -56,7 +56,7 @@ void shade_surface(const exact::DrawContext& context, const IdealScene& ideal, c
   fragment.nh = lit.nh;
   fragment.diffuse = lit.diffuse;
   fragment.specular = lit.specular;
-  fragment.colour = exact::output(context.reflectance, fragment.decal, lit);
+  fragment.colour = exact::output(context.reflectance, fragment.decal, fragment.gloss, lit);
 }
 
 // Where each fragment of a batch lies on the analytic surface; null where it has none.

@@ -17,6 +17,7 @@ namespace wrinkle::exact {
 struct Sample {
   BumpComponents bump{};
   std::array<double, 3> colour{};
+  double gloss = 0;
 };
 
 inline std::int64_t wrap_texel(int wrap, std::int64_t i, std::int64_t size) {
@@ -60,8 +61,9 @@ inline void sample_level(const Shape& config, const DrawWords& draw, const Exact
   const auto add = [&](std::int64_t i, std::int64_t j, double share) {
     const auto& texel = texels[static_cast<std::size_t>(j * texture.width(level) + i)];
     for (std::size_t k = 0; k < components; ++k) sample.bump[k] += share * static_cast<double>(texel.bump[k]);
-    if (config.decal == 0) return;
-    for (std::size_t k = 0; k < 3; ++k) sample.colour[k] += share * static_cast<double>(texel.colour[k]);
+    if (config.decal != 0)
+      for (std::size_t k = 0; k < 3; ++k) sample.colour[k] += share * static_cast<double>(texel.colour[k]);
+    if (config.gloss_map != 0) sample.gloss += share * static_cast<double>(texel.gloss);
   };
   add(x.first, y.first, weight * (1 - x.fraction) * (1 - y.fraction));
   add(x.second, y.first, weight * x.fraction * (1 - y.fraction));
