@@ -9,7 +9,7 @@
 namespace wrinkle {
 
 // Draws until check() is content. `between(low, high)` draws one integer. The screen is at most 2^largest_screen wide.
-// The gloss is drawn last, where it is legal, so that a seed gives the other parameters whether there is one or not.
+// Whether there is a gloss follows from the parity of all others, where it is legal: it takes no number of the stream.
 template <std::invocable<int, int> Between>
 Config random_config(Between&& between, int largest_screen = std::numeric_limits<int>::max()) {
   Config config;
@@ -20,7 +20,9 @@ Config random_config(Between&& between, int largest_screen = std::numeric_limits
     }
     if (config.screen_bits > largest_screen) config.screen_bits = largest_screen;
   } while (!check(config).key.empty());
-  if (Shape(config).glossy != 0) config.gloss_map = static_cast<int>(between(0, 1));
+  int sum = 0;
+  for (const Parameter& parameter : parameters()) sum += config.*parameter.member;
+  if (Shape(config).glossy != 0) config.gloss_map = sum % 2;
   return config;
 }
 

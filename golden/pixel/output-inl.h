@@ -35,21 +35,30 @@ HWY_INLINE typename L::V shade_channel(const L& l, const Constants<typename L::I
   return saturate(l, round_half_up(l, scaled, bits + pf), 0, full);
 }
 
-template <class L>
-void output(const L& l, const Context& context, Batch<typename L::Int>& batch) {
-  const auto c = context.constants<typename L::Int>();
+// `highlight(i)` is the specular factor of the fragments i...
+template <class L, class Highlight>
+HWY_INLINE void shade_all(const L& l, const Constants<typename L::Int>& c, Batch<typename L::Int>& batch,
+                          const Highlight& highlight) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(c.config.count); ++k) {
     for (int first = 0; first < batch.count; first += l.size()) {
       const auto i = static_cast<std::size_t>(first);
-      auto specular = c.config.glossy ? l.load(&batch.light_specular[0][i]) : l.set(0);
-      if (c.config.gloss_map != 0) {
-        const auto gloss = factor_of(l, c.config, l.load(&batch.texture_gloss[0][i]));
-        specular = round_half_up(l, l.mul_half(specular, gloss), c.config.texel_bits);
-      }
       const auto* decal = c.config.decal != 0 ? &batch.texture_decal[k][i] : nullptr;
-      l.store(shade_channel(l, c, k, l.load(&batch.light_diffuse[0][i]), specular, decal), &batch.output_colour[k][i]);
+      const auto diffuse = l.load(&batch.light_diffuse[0][i]);
+      l.store(shade_channel(l, c, k, diffuse, highlight(i), decal), &batch.output_colour[k][i]);
     }
   }
+}
+
+template <class L>
+void output(const L& l, const Context& context, Batch<typename L::Int>& batch) {
+  const auto c = context.constants<typename L::Int>();
+  const auto plain = [&](std::size_t i)
+                         HWY_ATTR { return c.config.glossy ? l.load(&batch.light_specular[0][i]) : l.set(0); };
+  if (c.config.gloss_map == 0) return shade_all(l, c, batch, plain);
+  shade_all(l, c, batch, [&](std::size_t i) HWY_ATTR {
+    const auto gloss = factor_of(l, c.config, l.load(&batch.texture_gloss[0][i]));
+    return round_half_up(l, l.mul_half(plain(i), gloss), c.config.texel_bits);
+  });
 }
 
 }  // namespace HWY_NAMESPACE

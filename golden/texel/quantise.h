@@ -9,9 +9,9 @@
 
 namespace wrinkle {
 
-// One texture from a chain of normals, one of colours and one of gloss (its first component), both in [0, 1]. Each may be
-// empty: normals are then (0, 0, 1), colours and gloss 1. Chains of different sizes are brought to the largest one: the
-// finer levels that a smaller chain lacks are interpolated from its level 0.
+// One texture from a chain of normals, one of colours and one of gloss (its first component), both in [0, 1]. Each may
+// be empty: normals are then (0, 0, 1), colours and gloss 1. Chains of different sizes are brought to the largest one:
+// the finer levels that a smaller chain lacks are interpolated from its level 0.
 ExactTexture assemble(const MipChain& normals, const MipChain& decal, const MipChain& gloss = {}, Wraps wraps = {});
 
 // Code of a component of the bump map, in [-1, 1] or limited to it, by the format of the datapath: the nearest to

@@ -205,8 +205,8 @@ void note_extensions(const json& value, const std::string& pointer, const GltfFi
 }  // namespace
 
 bool is_applied_extension(const std::string& name) {
-  constexpr std::array kApplied = {"KHR_lights_punctual"sv,   "KHR_mesh_quantization"sv,
-                                   "KHR_texture_transform"sv, "KHR_materials_pbrSpecularGlossiness"sv,
+  constexpr std::array kApplied = {"KHR_lights_punctual"sv,    "KHR_mesh_quantization"sv,
+                                   "KHR_texture_transform"sv,  "KHR_materials_pbrSpecularGlossiness"sv,
                                    "KHR_materials_specular"sv, "EXT_texture_webp"sv,
                                    "MSFT_texture_dds"sv};
   return std::find(kApplied.begin(), kApplied.end(), name) != kApplied.end();

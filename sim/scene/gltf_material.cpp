@@ -143,8 +143,7 @@ Material metallic_roughness(const GltfFile& file, const std::string& pointer, co
                             PassedOver& passed_over) {
   const std::vector<double> base = numbers_of(file, pointer + "/baseColorFactor", {1, 1, 1, 1}, 0, 1);
   const double roughness = roughness_of(file, pointer, passed_over);
-  const double lobe =
-      (0.04 + 0.3 * (1 - roughness)) * number_of(file, specular + "/specularFactor", 1, 0, 1);
+  const double lobe = (0.04 + 0.3 * (1 - roughness)) * number_of(file, specular + "/specularFactor", 1, 0, 1);
   const std::vector<double> colour = numbers_of(file, specular + "/specularColorFactor", {1, 1, 1}, 0, 1e6);
   if (texture_use(file, specular + "/specularColorTexture")) {
     passed_over.see("the texture of specular colour is not applied", file.place(specular));

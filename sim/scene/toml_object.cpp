@@ -21,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string_view> kObjectKeys = {
-    "name",         "mesh",   "tessellation", "size",         "radius",   "radii",        "translate", "rotate",
-    "scale",        "space",  "normal_map",   "normal_scale", "height",   "method",       "k",         "mip",
-    "height_scale", "repeat", "wrap",         "decal",        "gloss_map", "material", "double_sided", "shadow"};
+    "name",  "mesh",       "tessellation", "size",     "radius",       "radii", "translate", "rotate",       "scale",
+    "space", "normal_map", "normal_scale", "height",   "method",       "k",     "mip",       "height_scale", "repeat",
+    "wrap",  "decal",      "gloss_map",    "material", "double_sided", "shadow"};
 
 constexpr double kLargestScale = 1e12;
 
@@ -231,9 +231,10 @@ class ObjectReader {
   void note_lost_maps(const Bump& bump) {
     if (!base_ && !gloss_ && !bump.any()) return;
     const Maps lost = std::exchange(model_maps_, {});
-    const std::string rest = " of the model are not drawn with " + std::string(bump.any() ? "a normal map or height"
-                                                                               : base_    ? "a decal"
-                                                                                          : "a gloss map") +
+    const std::string rest = " of the model are not drawn with " +
+                             std::string(bump.any() ? "a normal map or height"
+                                         : base_    ? "a decal"
+                                                    : "a gloss map") +
                              " of the scene file";
     if (lost.decal && !base_) notes_.push_back(table_.place("mesh").text() + ": the base colours" + rest);
     if (lost.gloss && !gloss_) notes_.push_back(table_.place("mesh").text() + ": the gloss maps" + rest);

@@ -296,8 +296,8 @@ TEST(Streams, TexelsWiderThanAWordReachTheCore) {
   fs::remove_all(root);
 }
 
-// The core by the widest texel there may be: a bump map of nine components, of which the datapath reads the first three,
-// a base colour and a gloss. It draws what the core with three components draws.
+// The core by the widest texel there may be: a bump map of nine components, of which the datapath reads the first
+// three, a base colour and a gloss. It draws what the core with three components draws.
 TEST(Streams, ThirteenComponentsReachTheirStages) {
   Config config = small_config();
   config.gloss_map = 1;
@@ -338,7 +338,8 @@ TEST(Streams, ThirteenComponentsReachTheirStages) {
       for (std::size_t i = 0; i < texels; ++i) {
         for (int k = 0; k < 13; ++k) {
           const bool unread = k >= 3 && k < 9;
-          const std::uint64_t code = unread ? random.next() & 1023 : frame.textures[t].code(narrow, i, k < 3 ? k : k - 6);
+          const std::uint64_t code =
+              unread ? random.next() & 1023 : frame.textures[t].code(narrow, i, k < 3 ? k : k - 6);
           put_code(wide[t], words, i, k, code);
         }
       }

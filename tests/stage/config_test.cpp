@@ -2,7 +2,6 @@
 #include "golden/config/config.h"
 
 #include "golden/datapath/datapaths.h"
-
 #include "tests/stage/support.h"
 
 namespace wrinkle {
@@ -78,8 +77,7 @@ TEST(Config, RulesOfTheGlossMap) {
   EXPECT_EQ(check(with({{&Config::gloss_map, 1}, {&Config::lighting, 0}})).key, "gloss_map");
   for (int datapath = 0; datapath <= static_cast<int>(Datapath::kOffset); ++datapath) {
     for (int decal : {0, 1}) {
-      const Config config =
-          with({{&Config::datapath, datapath}, {&Config::gloss_map, 1}, {&Config::decal, decal}});
+      const Config config = with({{&Config::datapath, datapath}, {&Config::gloss_map, 1}, {&Config::decal, decal}});
       EXPECT_EQ(check(config).message, "");
       EXPECT_EQ(Shape(config).textured, 1);
       EXPECT_EQ(Shape(config).texels, Shape(config).bump_components + 3 * decal + 1);

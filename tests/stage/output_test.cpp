@@ -32,9 +32,9 @@ TEST(Output, ColourStaysWithinItsBound) {
           lit.specular = std::ldexp(static_cast<double>(batch->light_specular[0][i]), -config.power_bits);
         const double code =
             config.decal == 0 ? 1 : static_cast<double>(batch->texture_decal[k][i]) / ((1 << config.texel_bits) - 1);
-        const double gloss =
-            config.gloss_map == 0 ? 1
-                                  : static_cast<double>(batch->texture_gloss[0][i]) / ((1 << config.texel_bits) - 1);
+        const double gloss = config.gloss_map == 0
+                                 ? 1
+                                 : static_cast<double>(batch->texture_gloss[0][i]) / ((1 << config.texel_bits) - 1);
         const double exact = exact::shade(unit(context.draw.ambient[k]), unit(context.draw.diffuse[k]),
                                           gloss * unit(context.draw.specular[k]), code, lit);
         const double error = static_cast<double>(batch->output_colour[k][i]) - full * exact;
@@ -43,8 +43,7 @@ TEST(Output, ColourStaysWithinItsBound) {
         const double base_error = full * std::ldexp(0.5, -config.colour_bits - config.dot_bits);
         const double decal_error = config.decal != 0 ? code_error + base_error : 0;
         // The same of the gloss, of a highlight up to 1, which is then rounded.
-        const double gloss_error =
-            full * (std::ldexp(0.51, -config.texel_bits) + std::ldexp(0.5, -config.power_bits));
+        const double gloss_error = full * (std::ldexp(0.51, -config.texel_bits) + std::ldexp(0.5, -config.power_bits));
         if (config.gloss_map != 0)
           glossy.see(error / (0.5 + decal_error + gloss_error));
         else
