@@ -352,6 +352,9 @@
     if (LIGHT_VECTORS != 0 && LIGHT_MAY_BE_CONSTANT == 0) begin : light_vectors_turn_with_the_frame
       wrinkle_error_light_vectors_turn_with_the_frame error ();
     end
+    if (GLOSS_MAP != 0 && LIGHTING == 0) begin : gloss_map_needs_a_highlight
+      wrinkle_error_gloss_map_needs_a_highlight error ();
+    end
     if (NORMAL_ANY_LENGTH != 0 && (NORMALIZER_N == 0 || NORMALIZER_N == 4)) begin : normalizer_n_must_take_any_length
       wrinkle_error_normalizer_n_must_take_any_length error ();
     end
@@ -383,9 +386,6 @@
     end
     if (SHARING != 0 && NORMALIZE_ORDER != 0) begin : sharing_is_of_unit_vectors
       wrinkle_error_sharing_is_of_unit_vectors error ();
-    end
-    if (GLOSS_MAP != 0 && LIGHTING == 0) begin : gloss_map_needs_a_highlight
-      wrinkle_error_gloss_map_needs_a_highlight error ();
     end
   endgenerate
 `endif

@@ -407,7 +407,7 @@ TEST(ObjScene, EveryCaseOfTinyobjloaderIsReadOrRefusedForItsNumbers) {
   const Folder folder;
   fs::copy(cases, folder.path(), fs::copy_options::recursive);
   for (const char* name : {"bumpmap.jpg", "bumpmap2.jpg", "diffuse.jpg", "input.jpg", "tmp.png", "bump.jpg",
-                           "normalmap.jpg", "normalmap.tex", "texture 01.png", "bump 01.png"}) {
+                           "normalmap.jpg", "normalmap.tex", "texture 01.png", "bump 01.png", "specular.jpg"}) {
     write_map(folder.path() / name, false);
   }
   int read = 0;
