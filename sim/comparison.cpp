@@ -26,14 +26,6 @@ BenchResult draw_and_compare(const Config& config, const Frame& frame, const Ben
   return drawing.result;
 }
 
-// Without an analytic surface there is no ideal picture, and so no method error.
-bool has_ideal(const Frame& frame) {
-  return std::any_of(frame.draws.begin(), frame.draws.end(), [](const Draw& draw) {
-    return std::any_of(draw.triangles.begin(), draw.triangles.end(),
-                       [](const ScreenTriangle& triangle) { return triangle.surface != nullptr; });
-  });
-}
-
 }  // namespace
 
 ComparedDrawing draw_compared(const Config& config, const Frame& frame, const BenchOptions& options) {
@@ -85,10 +77,8 @@ nlohmann::json compare_engines(const Comparison& comparison, const RtlOptions& r
   const bool equal = run.equal() && stalled.equal();
   const std::uint64_t mismatches =
       equal ? engines.different : std::max<std::uint64_t>(run.mismatches + stalled.mismatches, 1);
-  const nlohmann::json method_db = has_ideal(frame) ? nlohmann::json(method.psnr_db) : nlohmann::json();
-  fmt::print("{:<18} {:<16} {:>9} {:>10} {:>10} {:>8.3f} {:>9} {:>9.2f}  {}\n", comparison.name, config_name,
-             run.fragments, mismatches, run.cycles, rate,
-             method_db.is_null() ? "-" : fmt::format("{:.2f}", method.psnr_db), precision.psnr_db, path("").string());
+  fmt::print("{:<18} {:<16} {:>9} {:>10} {:>10} {:>8.3f} {:>9.2f} {:>9.2f}  {}\n", comparison.name, config_name,
+             run.fragments, mismatches, run.cycles, rate, method.psnr_db, precision.psnr_db, path("").string());
   std::fflush(stdout);
   return {{"name", comparison.name},
           {"config", config_name},
@@ -97,7 +87,7 @@ nlohmann::json compare_engines(const Comparison& comparison, const RtlOptions& r
           {"cycles", run.cycles},
           {"cycles_with_stalls", stalled.cycles},
           {"pixels_per_clock", rate},
-          {"psnr_method_db", method_db},
+          {"psnr_method_db", method.psnr_db},
           {"psnr_precision_db", precision.psnr_db},
           {"max_error_method", method.max_error},
           {"max_error_precision", precision.max_error},

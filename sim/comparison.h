@@ -31,7 +31,7 @@ void print_comparison_heading();
 // Draws the scene by RTL without stalls (for the clocks) and under those of `rtl`, by golden, exact and ideal; writes
 // the pictures NAME.png, NAME_golden.png, ... into `folder`, prints a line, and appends RTL picture, method error and
 // precision error to `sheet`. The object has `name`, `config`, `pixels`, `mismatches`, `cycles`, `pixels_per_clock`,
-// `psnr_method_db` (null where there is no analytic surface), `psnr_precision_db`, `image` and more.
+// `psnr_method_db`, `psnr_precision_db`, `image` and more.
 nlohmann::json compare_engines(const Comparison& comparison, const RtlOptions& rtl, const std::filesystem::path& folder,
                                std::vector<Picture>& sheet);
 

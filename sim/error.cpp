@@ -26,15 +26,12 @@ void print_picture(const char* name, const PictureError& error) {
              error.psnr_db, 255 * error.p999, 255 * error.max, error.ssim);
 }
 
-// A scene of meshes has no surface that the method could be held against.
 struct Measured {
   ErrorReport report;
   Config config;
-  bool has_truth = false;
 };
 
-void print_report(const Measured& measured) {
-  const ErrorReport& report = measured.report;
+void print_report(const ErrorReport& report) {
   fmt::print("{} on {}, {} fragments; each number RMS / maximum\n", report.config, report.scene, report.fragments);
   fmt::print("{:<14} {:>15} {:>17} {:>19} {:>15} {:>10} {:>11}\n", "stage", "ulp", "degrees", "length", "grey levels",
              "alone dB", "without dB");
@@ -44,11 +41,7 @@ void print_report(const Measured& measured) {
                p.alone_db, p.without_db);
   }
   print_picture("precision, golden to exact", report.precision);
-  if (measured.has_truth) {
-    print_picture("method, exact to ideal", report.method);
-  } else {
-    fmt::print("{:<28} n/a: {} has no analytic surfaces\n", "method, exact to ideal", report.scene);
-  }
+  print_picture("method, exact to ideal", report.method);
 }
 
 Measured measure(const std::string& config_name, const std::string& scene_name, const std::vector<std::string>& set) {
@@ -56,12 +49,9 @@ Measured measure(const std::string& config_name, const std::string& scene_name, 
   const Scene scene = scene_named(scene_name);
   say_losses(config, scene);
   const Frame frame = build_frame(config, scene);
-  Measured measured{{}, config, false};
+  Measured measured{{}, config};
   with_objects_named(config, scene, frame, [&] { measured.report = measure_error(config_name, config, frame); });
-  for (const Draw& draw : frame.draws) {
-    for (const ScreenTriangle& triangle : draw.triangles) measured.has_truth = measured.has_truth || triangle.surface;
-  }
-  print_report(measured);
+  print_report(measured.report);
   return measured;
 }
 
@@ -87,7 +77,6 @@ int error(Options options) {
   const Measured measured = measure(options.config, options.scene, options.set);
   nlohmann::json json = to_json(measured.report);
   json["parameters"] = parameters_json(measured.config);
-  if (!measured.has_truth) json["method"] = nullptr;
   write_json(options.json, json);
   return kExitEqual;
 }

@@ -1,51 +1,40 @@
 #include "sim/layout.h"
 
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <algorithm>
+
+#include "sim/oiio/library.h"
 
 namespace wrinkle {
 namespace {
 
-using OIIO::ImageBuf;
-using OIIO::ROI;
-namespace algo = OIIO::ImageBufAlgo;
-
-// OpenImageIO's view of the pixels of a picture, which it reads and writes where they are.
-ImageBuf view(Picture& picture) {
-  return {OIIO::ImageSpec(picture.width, picture.height, int(picture.channels.size()), OIIO::TypeDesc::FLOAT),
-          picture.data.data()};
+oiio::View view(Picture& picture) {
+  return {picture.width, picture.height, int(picture.channels.size()), picture.data.data()};
 }
-// ImageBuf has no view of constant pixels. This one is only read.
-const ImageBuf view(const Picture& picture) { return view(const_cast<Picture&>(picture)); }
+// There is no view of constant pixels. This one is only read.
+oiio::View view(const Picture& picture) { return view(const_cast<Picture&>(picture)); }
 
 }  // namespace
 
 Picture blank_sheet(int width, int height) {
   Picture sheet(width, height, {"R", "G", "B"});
-  ImageBuf pixels = view(sheet);
-  algo::fill(pixels, {1.0F, 1.0F, 1.0F});
+  oiio::library().fill(view(sheet), 1);
   return sheet;
 }
 
 void paste(Picture& sheet, const Picture& picture, int x, int y) {
-  ImageBuf pixels = view(sheet);
-  algo::paste(pixels, x, y, 0, 0, view(picture));
+  oiio::library().paste(view(sheet), view(picture), x, y);
 }
 
 Picture magnified(const Picture& picture, Region region, int factor) {
   Picture out(region.side * factor, region.side * factor, picture.channels);
-  const ImageBuf cut = algo::cut(view(picture), {region.x, region.x + region.side, region.y, region.y + region.side});
-  ImageBuf pixels = view(out);
-  algo::resample(pixels, cut, /*interpolate=*/false);
+  oiio::library().magnify(view(picture), region.x, region.y, region.side, view(out));
   return out;
 }
 
 void outline(Picture& picture, Region region, std::array<float, 3> colour, int thickness) {
-  ImageBuf pixels = view(picture);
   for (int distance = 1; distance <= thickness; ++distance)
-    algo::render_box(pixels, region.x - distance, region.y - distance, region.x + region.side - 1 + distance,
-                     region.y + region.side - 1 + distance, colour);
+    oiio::library().draw_box(view(picture), region.x - distance, region.y - distance,
+                             region.x + region.side - 1 + distance, region.y + region.side - 1 + distance, colour);
 }
 
 Picture contact_sheet(const std::vector<Picture>& pictures, int columns) {

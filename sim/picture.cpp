@@ -1,8 +1,7 @@
 #include "sim/picture.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <png.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <stdexcept>
 
 #include "sim/input_error.h"
+#include "sim/oiio/library.h"
 #include "sim/scene/files.h"
 
 namespace wrinkle {
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A name beside `path` with the same ending, which OpenImageIO chooses the format by.
+// A name beside `path` with the same ending, which the format is chosen by.
 fs::path temporary_beside(const fs::path& path) {
   fs::path name = path;
   name.replace_filename(fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string()));
@@ -44,34 +44,44 @@ void write_whole(const fs::path& path, Write write) {
   }
 }
 
-// Writes the picture through `output`, which is to make `name`; false where it cannot; output.geterror() says why.
-bool encode(OIIO::ImageOutput& output, const std::string& name, const Picture& image, OIIO::TypeDesc type) {
-  OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()), type);
-  spec.channelnames = image.channels;
-  return output.open(name, spec) && output.write_image(OIIO::TypeDesc::FLOAT, image.data.data()) && output.close();
+// The codes of a picture of three channels, as libpng takes them.
+std::vector<std::uint8_t> codes_of(const Picture& image) {
+  std::vector<std::uint8_t> codes(image.data.size());
+  std::transform(image.data.begin(), image.data.end(), codes.begin(),
+                 [](float value) { return std::uint8_t(255 * std::clamp(value, 0.0F, 1.0F) + 0.5F); });
+  return codes;
+}
+
+void write_with_openimageio(const fs::path& path, const fs::path& temporary, const Picture& image) {
+  if (!oiio::library().writes(temporary.string()))
+    throw InputError(Place{path.string()}, "an unknown ending", ".png or .exr");
+  const oiio::View view{image.width, image.height, int(image.channels.size()), const_cast<float*>(image.data.data())};
+  const std::string error =
+      oiio::library().write(temporary.string(), view, image.channels, extension_of(path) == ".exr");
+  if (!error.empty()) throw InputError(Place{path.string()}, "cannot be written: " + error);
 }
 
 }  // namespace
 
 void write_picture(const fs::path& path, const Picture& image) {
-  write_whole(path, [&](const fs::path& temporary) {
-    auto output = OIIO::ImageOutput::create(temporary.string());
-    if (!output) {
-      OIIO::geterror();
-      throw InputError(Place{path.string()}, "an unknown ending", ".png or .exr");
-    }
-    const auto type = extension_of(path) == ".exr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-    if (!encode(*output, temporary.string(), image, type))
-      throw InputError(Place{path.string()}, "cannot be written: " + output->geterror());
-  });
+  // Most pictures are PNG files of colours. They are written without OpenImageIO, which takes long to load.
+  if (extension_of(path) == ".png" && image.channels.size() == 3) return write_text(path, encode_png(image));
+  write_whole(path, [&](const fs::path& temporary) { write_with_openimageio(path, temporary, image); });
 }
 
 std::string encode_png(const Picture& image) {
-  OIIO::Filesystem::IOVecOutput memory;
-  auto output = OIIO::ImageOutput::create("png", &memory);
-  if (!output || !encode(*output, "memory.png", image, OIIO::TypeDesc::UINT8))
-    throw std::runtime_error("a picture cannot be encoded: " + (output ? output->geterror() : OIIO::geterror()));
-  return {memory.buffer().begin(), memory.buffer().end()};
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = png_uint_32(image.width);
+  png.height = png_uint_32(image.height);
+  png.format = PNG_FORMAT_RGB;
+  const std::vector<std::uint8_t> codes = codes_of(image);
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
+  png_alloc_size_t size = bytes.size();
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, codes.data(), 0, nullptr) == 0)
+    throw std::runtime_error(std::string("a picture cannot be encoded: ") + png.message);
+  bytes.resize(size);
+  return bytes;
 }
 
 void write_text(const fs::path& path, const std::string& text) {

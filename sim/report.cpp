@@ -86,7 +86,10 @@ void add_report(CLI::App& app, Action& run) {
       ->capture_default_str();
   command->add_option("--configs", options->measure.configs, "Configurations to measure; else all named ones")
       ->delimiter(',');
-  command->add_option("--scenes", options->measure.scenes, "Scenes to draw")->delimiter(',')->capture_default_str();
+  command
+      ->add_option("--scenes", options->measure.scenes,
+                   "Scenes to measure and draw, by name or file; else those of the paper")
+      ->delimiter(',');
   command->add_flag("--rtl", options->measure.rtl, "Also pictures by the RTL");
   command->add_flag("--no-area", options->measure.no_area, "Leave out what needs synthesis");
   command->add_flag("--no-speed", options->measure.no_speed, "Leave out timings");

@@ -27,9 +27,12 @@ using ExactSink = std::function<void(const ExactFragment&)>;
 // Fragments of a frame in the order of its triangles; within a triangle by rows. Coverage is the hardware's, exactly.
 void draw_exact(const Config& config, const Frame& frame, const ExactSink& sink);
 
-// As draw_exact, but N', L and H of every pixel are computed in world space from the analytic surface and height field
-// at the pixel's (u, v) [Peercy97 eq. 1-2]; triangles without a surface are drawn as by
-// draw_exact. ScreenTriangle::surface is taken to be in world space.
+// The truth that a method is held against: the pixels of draw_exact, each computed in world space from all that the
+// scene says, also from what the configuration leaves out. On an analytic surface N', L and H are those of the surface
+// and its height field at the pixel's (u, v) [Peercy97 eq. 1-2]. On other triangles position, frame and texture
+// coordinates are interpolated as the perspective demands, the frame is made orthonormal at the pixel, and N' comes from
+// the normal map in it. Filter, lighting model and self-shadow are the configuration's; the level of detail is the
+// pixel's own. Frame::ideal has an entry for each draw; ScreenTriangle::surface is in world space.
 void draw_ideal(const Config& config, const Frame& frame, const ExactSink& sink);
 
 }  // namespace wrinkle

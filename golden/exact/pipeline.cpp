@@ -66,8 +66,9 @@ void perspective(const DrawContext& draw, Fragments& batch) {
 
 void texture(const DrawContext& draw, const ExactTexture* texels, Fragments& batch) {
   if (texels == nullptr) return;
+  const Filtering filter = filtering(draw.config, draw.words);
   for_each(batch, [&](std::size_t i) {
-    const Sample texel = sample(draw.config, draw.words, *texels, {batch.u[i], batch.v[i]}, batch.lod[i]);
+    const Sample texel = sample(filter, *texels, {batch.u[i], batch.v[i]}, batch.lod[i]);
     batch.bump.set(i, texel.bump);
     if (draw.config.decal != 0) batch.decal.set(i, {texel.colour[0], texel.colour[1], texel.colour[2]});
     if (draw.config.gloss_map != 0) batch.gloss.set(i, texel.gloss);

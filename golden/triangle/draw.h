@@ -24,8 +24,11 @@ struct ScreenVertex {
   // The vectors in the place of N, where the datapath prepares them (golden/datapath); where they are unbounded, the
   // largest component of a draw is in [1/2, 1).
   FrameVectors frame{};
-  Vec2 parameter;  // on the analytic surface
-  Vec3 P;          // world position, for the ideal picture
+  // For the ideal picture: where the corner lies on the analytic surface; its position in the world; and the frame that
+  // the normals of the texture are given in, turned round where the triangle is seen from behind.
+  Vec2 parameter;
+  Vec3 P;
+  TangentFrame world;
 };
 
 struct ScreenTriangle {
@@ -66,13 +69,21 @@ class HeightField {
   virtual Vec2 gradient(double u, double v) const = 0;
 };
 
-// What `ideal` needs to light a point of an analytic surface: everything in world space.
+// What the scene says of an object, whatever a configuration has of it.
+struct IdealDraw {
+  std::shared_ptr<const HeightField> height;    // over the analytic surface, or null
+  std::shared_ptr<const ExactTexture> texture;  // normals and base colours, or null
+  bool bump = false;                            // N from `height` or, without one, from `texture`
+  bool in_object_space = false;                 // the normals of `texture`
+};
+
+// What `ideal` needs to light a point: everything in world space.
 struct IdealScene {
   Vec3 eye;  // position, or direction to the viewer when orthographic
   bool eye_at_infinity = true;
   Vec3 light;  // position, or direction to the light
   bool light_at_infinity = true;
-  std::vector<std::shared_ptr<const HeightField>> height;  // per draw; null = smooth
+  std::vector<IdealDraw> draws;
 };
 
 struct Frame {

@@ -40,7 +40,8 @@ ClipVertex mix(const ClipVertex& a, const ClipVertex& b, double t) {
           mix(a.H, b.H, t),
           frame,
           mix(a.parameter, b.parameter, t),
-          mix(a.P, b.P, t)};
+          mix(a.P, b.P, t),
+          {mix(a.world.T, b.world.T, t), mix(a.world.B, b.world.B, t), mix(a.world.N, b.world.N, t)}};
 }
 
 // One plane [Sutherland and Hodgman 1974]; edges are cut from their inner end, whichever way they run.

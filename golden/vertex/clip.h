@@ -6,6 +6,7 @@
 #include "golden/datapath/datapath.h"
 #include "golden/vector.h"
 #include "golden/vertex/camera.h"
+#include "golden/vertex/surface.h"
 
 namespace wrinkle {
 
@@ -17,6 +18,7 @@ struct ClipVertex {
   FrameVectors frame{};
   Vec2 parameter;
   Vec3 P;
+  TangentFrame world;
 };
 
 // Pixels, both ends included, in x and in y.

@@ -66,6 +66,23 @@ class MirroredHeight : public HeightField {
 // Whether fu and fv of its map are by the parameters of its surface; else they are by lengths along T and B.
 bool has_derivatives(const Object& object) { return object.heights && !object.mesh.surfaces.empty(); }
 
+bool is_bumped(const Object& object) { return object.space != ShadingSpace::kWorld && object.texture; }
+bool is_bumped_in_object_space(const Object& object) {
+  return is_bumped(object) && object.space == ShadingSpace::kObject;
+}
+
+// The axes of object space in the world, where the matrix scales all directions alike.
+TangentFrame object_axes(const Mat4& to_world) {
+  const auto axis = [&](Vec3 v) { return normalize(transform_direction(to_world, v)); };
+  return {axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})};
+}
+
+IdealDraw ideal_draw(const Object& object, bool mirrored) {
+  IdealDraw draw{object.height, object.texture, is_bumped(object), is_bumped_in_object_space(object)};
+  if (mirrored && object.height) draw.height = std::make_shared<MirroredHeight>(object.height);
+  return draw;
+}
+
 // What the vertex rate asks of the datapath, besides its vertices.
 struct DatapathRules {
   DrawSpace space;
@@ -133,8 +150,8 @@ class FrameBuilder {
   void hold_light(const Object& object, DrawState& state) const;
   int map_of(const Object& object);
   std::vector<ClipVertex> shade(const Object& object, const DrawState& state) const;
-  void light(const Object& object, const Vertex& vertex, const DrawState& state, ClipVertex& v) const;
-  FrameVectors prepare(const Object& object, const Vertex& vertex, double bump_scale) const;
+  void light(const Object& object, const TangentFrame& frame, const DrawState& state, ClipVertex& v) const;
+  FrameVectors prepare(const Object& object, const Vertex& vertex, const TangentFrame& frame, double bump_scale) const;
   void add_triangle(const std::array<const ClipVertex*, 3>& corners, Facing facing, const ScreenTriangle& blank,
                     Draw& draw) const;
   ScreenVertex snap(const ClipVertex& vertex, const DrawState& state, bool back) const;
@@ -164,7 +181,7 @@ int FrameBuilder::map_of(const Object& object) {
 // Without a texture (or a datapath) there is nothing to perturb the normal with: the object is lit in world space.
 DrawState FrameBuilder::state_of(const Object& object) {
   DrawState state;
-  state.bump = config_.bump_components != 0 && object.space != ShadingSpace::kWorld && object.texture;
+  state.bump = config_.bump_components != 0 && is_bumped(object);
   state.textured = state.bump || (config_.tints != 0 && object.texture);
   // The hardware takes L.z for the cosine at the unperturbed surface, which it is in tangent space alone.
   const bool in_object_space = config_.surface_is_z != 0 && state.bump && object.space == ShadingSpace::kObject;
@@ -196,10 +213,9 @@ void FrameBuilder::hold_light(const Object& object, DrawState& state) const {
 }
 
 // The vectors of one vertex, in the space that the draw lights in.
-void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawState& state, ClipVertex& v) const {
+void FrameBuilder::light(const Object& object, const TangentFrame& frame, const DrawState& state, ClipVertex& v) const {
   const LightVectors light = illumination_.at(v.P);
   const Vec3 third = config_.has_view_vector ? light.E : light.H;
-  const TangentFrame frame = tangent_frame(vertex, object.to_world);
   switch (space_of(rules_.space, object, state.bump)) {
     case ShadingSpace::kWorld:
       v.N = frame.N, v.L = light.L, v.H = third;
@@ -216,8 +232,8 @@ void FrameBuilder::light(const Object& object, const Vertex& vertex, const DrawS
 }
 
 // The vectors in the place of N, as the datapath has them at a vertex of a bumped draw.
-FrameVectors FrameBuilder::prepare(const Object& object, const Vertex& vertex, double bump_scale) const {
-  const TangentFrame frame = tangent_frame(vertex, object.to_world);
+FrameVectors FrameBuilder::prepare(const Object& object, const Vertex& vertex, const TangentFrame& frame,
+                                   double bump_scale) const {
   const VertexInputs inputs{frame.N,
                             frame.T,
                             frame.B,
@@ -239,8 +255,10 @@ std::vector<ClipVertex> FrameBuilder::shade(const Object& object, const DrawStat
     v.screen = projection_(v.P);
     v.uv = vertex.uv;
     v.parameter = vertex.parameter;
-    light(object, vertex, state, v);
-    if (prepares) v.frame = prepare(object, vertex, bump_scale);
+    const TangentFrame frame = tangent_frame(vertex, object.to_world);
+    light(object, frame, state, v);
+    if (prepares) v.frame = prepare(object, vertex, frame, bump_scale);
+    v.world = is_bumped_in_object_space(object) ? object_axes(object.to_world) : frame;
     vertices.push_back(v);
   }
   if (prepares && config_.frame_unbounded != 0) scale_to_block(vertices);
@@ -254,8 +272,7 @@ void FrameBuilder::add(const Object& object) {
   const WorldSurfaces surfaces(object);
   // A matrix that mirrors turns all windings round.
   const bool mirrored = determinant3(object.to_world) < 0;
-  frame_.ideal.height.push_back(mirrored && object.height ? std::make_shared<MirroredHeight>(object.height)
-                                                          : object.height);
+  frame_.ideal.draws.push_back(ideal_draw(object, mirrored));
   for (std::size_t i = 0; i < object.mesh.triangles.size(); ++i) {
     const auto& t = object.mesh.triangles[i];
     const std::array corners{&vertices[t[0]], &vertices[t[1]], &vertices[t[2]]};
@@ -313,6 +330,8 @@ ScreenVertex FrameBuilder::snap(const ClipVertex& vertex, const DrawState& state
   v.H = turn_light ? -vertex.H : vertex.H;
   v.parameter = vertex.parameter;
   v.P = vertex.P;
+  const double side = back ? -1 : 1;
+  v.world = {side * vertex.world.T, side * vertex.world.B, side * vertex.world.N};
   return v;
 }
 

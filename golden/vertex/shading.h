@@ -7,11 +7,6 @@
 
 namespace wrinkle {
 
-// An orthonormal frame in world space.
-struct TangentFrame {
-  Vec3 T, B, N;
-};
-
 // N of the vertex in the world, T made perpendicular to it (any perpendicular where T gives no direction), and
 // B = sign * (N x T), the sign changed by a matrix that mirrors: B stays the image of B.
 TangentFrame tangent_frame(const Vertex& vertex, const Mat4& to_world);

@@ -12,6 +12,12 @@ struct SurfacePoint {
   Vec3 N;  // unit
 };
 
+// The frame in which the normals of a texture are given, at a point of a surface: in world space, and perpendicular
+// where it is not interpolated.
+struct TangentFrame {
+  Vec3 T, B, N;
+};
+
 class Surface {
  public:
   virtual ~Surface() = default;

@@ -1,22 +1,25 @@
 #include "sim/report/collect.h"
 
-#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "golden/pixel/pixel.h"
 #include "sim/command.h"
 #include "sim/config_file.h"
-#include "sim/datapaths.h"
 #include "sim/engine.h"
+#include "sim/input_error.h"
+#include "sim/losses.h"
+#include "sim/report/columns.h"
 #include "sim/report/error.h"
 #include "sim/report/paper.h"
+#include "sim/report/runs.h"
 #include "sim/report/speed.h"
 #include "tb/process.h"
 
@@ -35,33 +38,55 @@ json choices(const Config& config) {
   return result;
 }
 
-std::string data_uri(const Picture& picture) {
-  return "data:image/png;base64," + OIIO::Strutil::base64_encode(encode_png(picture));
+void add_picture(json& entries, const std::string& title, const std::string& engine, const Run& run, json picture) {
+  picture.update({{"name", fmt::format("{}, {}", title, engine)}, {"config", run.config}, {"scene", run.scene}});
+  entries.push_back(std::move(picture));
 }
 
-// "Fig. 6" for patch_fig6; other scenes by their names.
-std::string picture_title(const std::string& scene) {
-  static const std::string kFigure = "patch_fig";
-  return scene.starts_with(kFigure) ? "Fig. " + scene.substr(kFigure.size()) : scene;
-}
+// The runs whose scene the configuration can draw go to `visit`; why another cannot be drawn is told, once.
+class Frames {
+ public:
+  explicit Frames(const Runs& runs) : runs_(runs) {}
 
-void add_picture(json& entries, const std::string& title, const std::string& engine, const std::string& config,
-                 const Picture& picture) {
-  entries.push_back({{"name", fmt::format("{}, {}", title, engine)}, {"config", config}, {"png", data_uri(picture)}});
-}
+  void for_each(const std::vector<Run>& list,
+                const std::function<void(const Run&, const Config&, const Frame&)>& visit) {
+    for (const Run& run : list) {
+      const Config& config = runs_.config(run.config);
+      const Scene& scene = runs_.scene(run.scene);
+      try {
+        const Frame frame = build_frame(config, scene);
+        with_objects_named(config, scene, frame, [&] { visit(run, config, frame); });
+      } catch (const std::invalid_argument& error) {
+        leave_out(run, error.what());
+      } catch (const InputError& error) {
+        leave_out(run, error.what());
+      }
+    }
+  }
+  const json& left_out() const { return left_out_; }
 
-json picture_entries(const ReportOptions& options) {
+ private:
+  void leave_out(const Run& run, const std::string& why) {
+    const json entry{{"name", fmt::format("{}, {}", run.config, run.scene)}, {"why", why}};
+    if (std::find(left_out_.begin(), left_out_.end(), entry) != left_out_.end()) return;
+    say(fmt::format("left out: {} on {}: {}", run.config, run.scene, why));
+    left_out_.push_back(entry);
+  }
+
+  const Runs& runs_;
+  json left_out_ = json::array();
+};
+
+json picture_entries(const ReportOptions& options, const Runs& runs, Frames& frames) {
   json entries = json::array();
   std::vector<std::pair<Engine, const char*>> engines{
       {Engine::kGolden, "golden"}, {Engine::kExact, "exact"}, {Engine::kIdeal, "ideal"}};
   if (options.rtl) engines.insert(engines.begin(), {Engine::kRtl, "rtl"});
-  for (const std::string& name : options.scenes) {
-    const Scene scene = scene_named(name);
-    const Config config = load_config(scene.config);
-    const Frame frame = build_frame(config, scene);
+  frames.for_each(runs.drawn(), [&](const Run& run, const Config& config, const Frame& frame) {
+    say(fmt::format("{} on {}: pictures", run.config, run.scene));
     for (const auto& [engine, engine_name] : engines)
-      add_picture(entries, picture_title(name), engine_name, scene.config, drawn(engine, config, frame).colour());
-  }
+      add_picture(entries, runs.title(run), engine_name, run, picture_with_columns(engine, config, frame));
+  });
   return entries;
 }
 
@@ -86,24 +111,13 @@ json paper_entry(const ReportOptions& options, json& pictures) {
       return entry["name"] == fmt::format("{}, {}", title->second, engine);
     };
     if (std::none_of(pictures.begin(), pictures.end(), is_there))
-      add_picture(pictures, title->second, engine, "", named.picture);
+      add_picture(pictures, title->second, engine, {}, {{"png", data_uri(named.picture)}});
   }
   return figures.results;
 }
 
-// The scene of `verify --all` that a configuration is for; the paper's patch for those that have none.
-std::string scene_of(const std::string& config) {
-  for (const DatapathFrame& frame : datapath_frames()) {
-    if (frame.comparison.config == config && frame.comparison.set.empty()) return frame.comparison.scene;
-  }
-  return "patch_fig6";
-}
-
-json config_entry(const std::string& name, const ReportOptions& options) {
-  const Config config = load_config(name);
-  json entry{{"name", name}, {"choices", choices(config)}};
-  say(fmt::format("{}: error", name));
-  entry["error"] = to_json(measure_error(name, config, build_frame(config, scene_named(scene_of(name)))));
+json config_entry(const std::string& name, const Config& config, const ReportOptions& options) {
+  json entry{{"name", name}, {"choices", choices(config)}, {"parameters", parameters_json(config)}};
   if (options.no_area) return entry;
   say(fmt::format("{}: area", name));
   AreaOptions area;
@@ -113,18 +127,43 @@ json config_entry(const std::string& name, const ReportOptions& options) {
   return entry;
 }
 
-json speed_entry(const ReportOptions& options, const json& configs) {
-  const Config standard = load_config("standard");
-  json result{{"config", "standard"}, {"scene", "patch_fig6"}, {"engines", json::array()}, {"chips", json::array()}};
-  for (const EngineSpeed& speed : measure_engines(standard, build_frame(standard, scene_named("patch_fig6")), 3))
-    result["engines"].push_back(to_json(speed));
+json run_entry(const Runs& runs, const Run& run) {
+  return {{"name", runs.name(run)}, {"config", run.config}, {"scene", run.scene}};
+}
+
+json error_entries(const Runs& runs, Frames& frames) {
+  json entries = json::array();
+  frames.for_each(runs.measured(), [&](const Run& run, const Config& config, const Frame& frame) {
+    say(fmt::format("{} on {}: error", run.config, run.scene));
+    json entry = run_entry(runs, run);
+    entry["error"] = to_json(measure_error(run.config, config, frame));
+    entry["error"]["scene"] = run.scene;
+    entries.push_back(std::move(entry));
+  });
+  return entries;
+}
+
+// The critical path of a configuration that was synthesized, else 0.
+double period_of(const json& configs, const std::string& name) {
   for (const json& entry : configs) {
-    const std::string name = entry["name"];
-    const Config config = load_config(name);
-    const double period = options.no_area ? 0 : entry["area"]["critical_path_ns"].get<double>();
-    result["chips"].push_back(
-        to_json(chip_speed(name, config, build_frame(config, scene_named(scene_of(name))), period)));
+    if (entry["name"] == name && entry.contains("area")) return entry["area"]["critical_path_ns"];
   }
+  return 0;
+}
+
+// The engines on the runs that were asked for by name; else on the paper's patch, by `standard`.
+json speed_entry(const ReportOptions& options, const Runs& runs, Frames& frames, const json& configs) {
+  json result{{"runs", json::array()}, {"chips", json::array()}};
+  frames.for_each(runs.measured(), [&](const Run& run, const Config& config, const Frame& frame) {
+    say(fmt::format("{} on {}: speed", run.config, run.scene));
+    json chip = to_json(chip_speed(run.config, config, frame, period_of(configs, run.config)));
+    chip.update(run_entry(runs, run));
+    result["chips"].push_back(std::move(chip));
+    if (options.configs.empty() && (run.config != "standard" || run.scene != "patch_fig6")) return;
+    json entry = run_entry(runs, run);
+    for (const EngineSpeed& speed : measure_engines(config, frame, 3)) entry["engines"].push_back(to_json(speed));
+    result["runs"].push_back(std::move(entry));
+  });
   return result;
 }
 
@@ -146,10 +185,10 @@ json provenance(const ReportOptions& options) {
   json result;
   result["source"] = source_version();
   result["command"] =
-      fmt::format("./wrinkle report{}{} --scenes {}{}{}{}{}", options.configs.empty() ? "" : " --configs ",
-                  fmt::join(options.configs, ","), fmt::join(options.scenes, ","), options.rtl ? " --rtl" : "",
-                  options.no_area ? " --no-area" : "", options.no_speed ? " --no-speed" : "",
-                  options.no_paper ? " --no-paper" : "");
+      fmt::format("./wrinkle report{}{}{}{}{}{}{}{}", options.configs.empty() ? "" : " --configs ",
+                  fmt::join(options.configs, ","), options.scenes.empty() ? "" : " --scenes ",
+                  fmt::join(options.scenes, ","), options.rtl ? " --rtl" : "", options.no_area ? " --no-area" : "",
+                  options.no_speed ? " --no-speed" : "", options.no_paper ? " --no-paper" : "");
   result["area of Fig. 1, 2 and 3"] = "./wrinkle area --figures";
   result["Fig. 5, 6 and 7"] = fmt::format("./wrinkle figures --engine {}", options.rtl ? "rtl" : "golden");
   result["one stage alone"] = "./wrinkle area standard --stage normalize";
@@ -179,22 +218,27 @@ Figures named_figures(const AreaOptions& options) {
 }
 
 json collect(const ReportOptions& options) {
+  const Runs runs(options.configs, options.scenes);
+  Frames frames(runs);
   json data;
+  data["runs"] = error_entries(runs, frames);
+  if (data["runs"].empty()) throw InputError(Place{"report"}, "no configuration can draw any of the scenes");
   if (!options.no_area) {
     AreaOptions area;
     area.progress = say;
     data["figures"] = to_json(named_figures(area));
   }
   data["configs"] = json::array();
-  for (const std::string& name : options.configs.empty() ? named_configs() : options.configs)
-    data["configs"].push_back(config_entry(name, options));
-  say("pictures");
-  data["pictures"] = picture_entries(options);
+  for (const std::string& name : runs.configs())
+    data["configs"].push_back(config_entry(name, runs.config(name), options));
+  data["column_format"] = {{"offset", kColumnOffset}, {"step", kColumnStep}};
+  data["pictures"] = picture_entries(options, runs, frames);
   if (!options.no_paper) {
     say("Fig. 5, 6 and 7");
     data["paper"] = paper_entry(options, data["pictures"]);
   }
-  if (!options.no_speed) data["speed"] = speed_entry(options, data["configs"]);
+  if (!options.no_speed) data["speed"] = speed_entry(options, runs, frames, data["configs"]);
+  data["left_out"] = frames.left_out();
   data["provenance"] = provenance(options);
   return data;
 }

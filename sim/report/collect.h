@@ -10,13 +10,15 @@
 namespace wrinkle {
 
 struct ReportOptions {
-  std::vector<std::string> configs;  // empty: all named ones
-  std::vector<std::string> scenes{"patch_fig1", "patch_fig5", "patch_fig6", "patch_fig7", "teapot"};
+  std::vector<std::string> configs, scenes;  // class Runs says what is measured where these are empty
   bool rtl = false, no_area = false, no_speed = false, no_paper = false;
 };
 
-// {figures, configs: [{name, choices: {datapath ...}, area, error}], pictures: [{name, config, png}], paper (what
-// `figures` measures), speed, provenance}. Parts that were left out are absent.
+// {figures, configs: [{name, choices: {datapath ...}, parameters, area}], runs: [{name, config, scene, error}],
+// left_out:
+// [{name, why}] of runs whose scene the configuration cannot draw, pictures: [{name, config, scene, png, columns}],
+// paper (what `figures` measures), speed: {runs: [{name, config, scene, engines}], chips}, provenance}. Parts that were
+// left out are absent.
 nlohmann::json collect(const ReportOptions& options);
 
 // Fig. 1, 2 and 3 from the named configurations `standard` and `blinn`.

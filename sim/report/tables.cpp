@@ -83,6 +83,18 @@ Table choice_table(const json& configs) {
   return table("choices", configs, "name", columns);
 }
 
+// Each run with the choices and the area of its configuration.
+json with_configurations(json runs, const json& configs) {
+  for (json& run : runs) {
+    for (const json& config : configs) {
+      if (config["name"] != run["config"]) continue;
+      run["choices"] = config["choices"];
+      if (config.contains("area")) run["area"] = config["area"];
+    }
+  }
+  return runs;
+}
+
 // A name for each row, for rows that have none of their own.
 json named(json rows, const std::function<std::string(const json&)>& name) {
   for (json& row : rows) row["row"] = name(row);
@@ -123,8 +135,9 @@ std::vector<Table> tables(const json& report) {
   for (const char* figure : {"fig1", "fig2", "fig3"}) {
     if (report.contains("figures")) all.push_back(table(figure, report["figures"][figure]["stages"], "stage", stage));
   }
-  all.push_back(table("configurations", report["configs"], "name",
-                      {{"datapath", {"choices", "datapath"}},
+  all.push_back(table("configurations", with_configurations(report["runs"], report["configs"]), "name",
+                      {{"scene", {"scene"}},
+                       {"datapath", {"choices", "datapath"}},
                        {"normalizer", {"choices", "normalizer_n"}},
                        {"nand2", {"area", "nand2"}},
                        {"flip_flops", {"area", "flip_flops"}},
@@ -135,9 +148,8 @@ std::vector<Table> tables(const json& report) {
                        {"max", {"error", "precision", "max"}},
                        {"ssim", {"error", "precision", "ssim"}}}));
   all.push_back(choice_table(report["configs"]));
-  for (const json& config : report["configs"]) {
-    if (!config.contains("error")) continue;
-    all.push_back(table("error of " + config["name"].get<std::string>(), config["error"]["stages"], "stage",
+  for (const json& run : report["runs"]) {
+    all.push_back(table("error of " + run["name"].get<std::string>(), run["error"]["stages"], "stage",
                         {{"ulp_rms", {"ulp", "rms"}},
                          {"ulp_max", {"ulp", "max"}},
                          {"degrees_rms", {"degrees", "rms"}},
@@ -150,10 +162,12 @@ std::vector<Table> tables(const json& report) {
   }
   if (report.contains("paper")) add_paper(report["paper"], all);
   if (report.contains("speed")) {
-    all.push_back(table("engines", report["speed"]["engines"], "engine",
-                        {{"pixels_per_cpu_s", {"pixels_per_cpu_s"}}, {"faithful_to", {"faithful_to"}}}));
-    all.push_back(table("chips", report["speed"]["chips"], "config",
-                        {{"clocks_per_pixel", {"clocks_per_pixel"}},
+    for (const json& run : report["speed"]["runs"])
+      all.push_back(table("engines, " + run["name"].get<std::string>(), run["engines"], "engine",
+                          {{"pixels_per_cpu_s", {"pixels_per_cpu_s"}}, {"faithful_to", {"faithful_to"}}}));
+    all.push_back(table("chips", report["speed"]["chips"], "name",
+                        {{"scene", {"scene"}},
+                         {"clocks_per_pixel", {"clocks_per_pixel"}},
                          {"period_ns", {"period_ns"}},
                          {"pixels_per_s", {"pixels_per_s"}}}));
   }

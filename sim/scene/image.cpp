@@ -1,15 +1,13 @@
 #include "sim/scene/image.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-#include <OpenImageIO/strutil.h>
-
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <memory>
 #include <string_view>
 #include <utility>
 
+#include "sim/oiio/library.h"
 #include "sim/scene/files.h"
 
 namespace wrinkle {
@@ -39,22 +37,27 @@ void check_complete(std::string_view bytes, const Place& place) {
   if (!complete) throw InputError(place, "an image that is cut short", "the whole file");
 }
 
-std::string oiio_error(const OIIO::ImageInput* input) {
-  std::string text = input != nullptr ? input->geterror() : std::string();
-  const std::string global = OIIO::geterror();  // always fetched, or it is printed at exit
-  if (text.empty()) text = global;
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text.empty() ? "not an image of a known format" : text;
+std::string or_unknown(const std::string& error) { return error.empty() ? "not an image of a known format" : error; }
+
+bool equals_in_any_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-void check_header(const OIIO::ImageSpec& spec, std::size_t channels, const Place& place) {
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+void check_header(const oiio::Header& spec, std::size_t channels, const Place& place) {
   const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
   if (spec.width < 1 || spec.height < 1) throw InputError(place, "an image of " + size + " pixels", "at least 1 x 1");
   if (spec.width > kMaximumImageSide || spec.height > kMaximumImageSide) {
     throw InputError(place, "an image of " + size + " pixels", "at most 16384 on a side");
   }
   if (spec.depth > 1) throw InputError(place, "a volume of depth " + std::to_string(spec.depth), "an image");
-  if (spec.deep) throw InputError(place, "a deep image", "one value for each pixel and channel");
+  if (spec.is_deep) throw InputError(place, "a deep image", "one value for each pixel and channel");
   const std::uint64_t bytes =
       channels * static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) * sizeof(float);
   if (bytes > kMaximumImageBytes) {
@@ -80,24 +83,24 @@ void check_finite(const Image& image, const Place& place) {
 enum class Use { kColours, kNormals, kAlpha };
 
 // The channels of the file that make up the image, in order. Alpha and depth are none of those of a colour or normal.
-std::vector<int> channels_of(const OIIO::ImageSpec& spec, Use use, const Place& place) {
+std::vector<int> channels_of(const oiio::Header& spec, Use use, const Place& place) {
   const auto named = [&](std::string_view name) {
-    const auto found = std::find_if(spec.channelnames.begin(), spec.channelnames.end(),
-                                    [&](const std::string& c) { return OIIO::Strutil::iequals(c, std::string(name)); });
-    return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
+    const auto found = std::find_if(spec.channels.begin(), spec.channels.end(),
+                                    [&](const std::string& c) { return equals_in_any_case(c, name); });
+    return found == spec.channels.end() ? -1 : static_cast<int>(found - spec.channels.begin());
   };
   if (use == Use::kAlpha) return spec.alpha_channel < 0 ? std::vector<int>{} : std::vector<int>{spec.alpha_channel};
   if (named("R") >= 0 && named("G") >= 0 && named("B") >= 0) return {named("R"), named("G"), named("B")};
+  const int count = static_cast<int>(spec.channels.size());
   std::vector<int> all;
-  for (int c = 0; c < spec.nchannels; ++c) {
+  for (int c = 0; c < count; ++c) {
     if (c != spec.alpha_channel && c != spec.z_channel) all.push_back(c);
   }
-  if (all.empty() && spec.nchannels < 1) throw InputError(place, "an image without channels", "one to four");
+  if (all.empty() && count < 1) throw InputError(place, "an image without channels", "one to four");
   if (all.empty()) all = {0};
   if (all.size() > 4 || named("RY") >= 0) {
-    throw InputError(
-        place, std::to_string(spec.nchannels) + " channels (" + OIIO::Strutil::join(spec.channelnames, ", ") + ")",
-        "one to four, or R, G and B among them");
+    throw InputError(place, std::to_string(count) + " channels (" + joined(spec.channels) + ")",
+                     "one to four, or R, G and B among them");
   }
   if (all.size() >= 3) return {all[0], all[1], all[2]};
   return use == Use::kNormals ? all : std::vector<int>{all[0]};
@@ -107,29 +110,27 @@ std::vector<int> channels_of(const OIIO::ImageSpec& spec, Use use, const Place& 
 struct Window {
   int width, height, x, y;
 };
-Window window_of(const OIIO::ImageSpec& spec, std::string_view format) {
+Window window_of(const oiio::Header& spec, std::string_view format) {
   if (format != "openexr" || spec.full_width < 1 || spec.full_height < 1) return {spec.width, spec.height, 0, 0};
-  return {spec.full_width, spec.full_height, spec.x - spec.full_x, spec.y - spec.full_y};
+  return {spec.full_width, spec.full_height, spec.x, spec.y};
 }
 
 // Pixel values as floats.
-Image decode(OIIO::ImageInput& input, Use use, const Place& place) {
-  const OIIO::ImageSpec spec = input.spec();
+Image decode(oiio::Input& input, Use use, const Place& place) {
+  const oiio::Header& spec = input.header();
   const std::vector<int> channels = channels_of(spec, use, place);
   if (channels.empty()) return {};
   const auto stored = static_cast<std::size_t>(1 + *std::max_element(channels.begin(), channels.end()));
   check_header(spec, stored, place);
-  const Window window = window_of(spec, input.format_name());
-  OIIO::ImageSpec seen = spec;
+  const Window window = window_of(spec, input.format());
+  oiio::Header seen = spec;
   seen.width = window.width;
   seen.height = window.height;
   check_header(seen, channels.size(), place);
   std::vector<float> pixels(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * stored);
-  if (!input.read_image(0, 0, 0, static_cast<int>(stored), OIIO::TypeDesc::FLOAT, pixels.data())) {
-    throw InputError(place, "an image that cannot be decoded (" + oiio_error(&input) + ")", "a whole, sound image");
-  }
-  input.close();
-  oiio_error(&input);
+  const std::string error = input.read(static_cast<int>(stored), pixels.data());
+  if (!error.empty())
+    throw InputError(place, "an image that cannot be decoded (" + error + ")", "a whole, sound image");
   Image image{window.width, window.height, static_cast<int>(channels.size()), {}};
   image.pixels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
                        channels.size());
@@ -174,13 +175,6 @@ Image checked_normals(Image image, const Place& place, Notes& notes) {
   return image;
 }
 
-OIIO::ImageSpec open_hints() {
-  OIIO::ImageSpec hints;
-  hints["oiio:UnassociatedAlpha"] = 1;
-  hints["oiio:RawColor"] = 1;
-  return hints;
-}
-
 // What OpenImageIO is to take bytes in memory for; empty for what it does not know by its first bytes.
 std::string name_of(std::string_view bytes) {
   if (is_png(bytes)) return "embedded.png";
@@ -203,9 +197,9 @@ std::string name_of(std::string_view bytes) {
 Image read_as(const std::filesystem::path& path, Use use) {
   const Place place{path.string(), 0, 0, {}};
   check_complete(read_file(path, kMaximumImageBytes), place);
-  const OIIO::ImageSpec hints = open_hints();
-  const auto input = OIIO::ImageInput::open(path.string(), &hints);
-  if (!input) throw InputError(place, "no image (" + oiio_error(nullptr) + ")", "an image OpenImageIO reads");
+  std::string error;
+  const auto input = oiio::library().open(path.string(), error);
+  if (!input) throw InputError(place, "no image (" + or_unknown(error) + ")", "an image OpenImageIO reads");
   return decode(*input, use, place);
 }
 
@@ -213,13 +207,9 @@ Image read_as(const std::string& bytes, const Place& place, Use use) {
   const std::string name = name_of(bytes);
   if (name.empty()) throw InputError(place, "bytes of no image format", "an embedded image, such as PNG or JPEG");
   check_complete(bytes, place);
-  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-  const OIIO::ImageSpec hints = open_hints();
-  const auto input = OIIO::ImageInput::create(name, false, &hints, &memory);
-  OIIO::ImageSpec spec;
-  if (!input || !input->set_ioproxy(&memory) || !input->open(name, spec, hints)) {
-    throw InputError(place, "no image (" + oiio_error(input.get()) + ")", "an image OpenImageIO reads from memory");
-  }
+  std::string error;
+  const auto input = oiio::library().open(bytes, name, error);
+  if (!input) throw InputError(place, "no image (" + or_unknown(error) + ")", "an image OpenImageIO reads from memory");
   return decode(*input, use, place);
 }
 

@@ -1,8 +1,8 @@
 #include "sim/scene/suggest.h"
 
-#include <OpenImageIO/strutil.h>
-
 #include <algorithm>
+
+#include "sim/oiio/library.h"
 
 namespace wrinkle {
 
@@ -11,8 +11,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
   std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
   std::string_view nearest;
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance =
-        OIIO::Strutil::edit_distance({word.data(), word.size()}, {candidate.data(), candidate.size()});
+    const std::size_t distance = oiio::library().edit_distance(word, candidate);
     if (distance < best) {
       best = distance;
       nearest = candidate;

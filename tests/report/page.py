@@ -143,19 +143,18 @@ TABLE_ROWS = "return document.querySelectorAll('#trade-table tbody tr').length"
 
 
 def look_at_filters(driver):
-    """Every value of every filter shows the configurations that have it, and no others."""
+    """Every value of every filter shows the runs that have it, and no others."""
     filters = driver.run("""
-        const data = JSON.parse(document.getElementById('data').textContent);
         return [...document.querySelectorAll('#trade-filters select')].map(s => [s.id, [...s.options].map(o => [
-            o.value, data.configs.filter(c => o.value === 'all' || c.choices[s.dataset.key] === o.value).length])]);""")
+            o.value, wrinkleReport.runs.filter(c => o.value === 'all' || c.choices[s.dataset.key] === o.value).length])]);""")
     check({"trade-datapath", "trade-normalizer_n"} <= {name for name, _ in filters}, "the page filters by datapath and by normalizer")
     for name, values in filters:
         check(len(values) > 1 and all(count > 0 for _, count in values),
-              f"filter {name} offers only values that a configuration has: {', '.join(v for v, _ in values)}")
+              f"filter {name} offers only values that a run has: {', '.join(v for v, _ in values)}")
         for value, count in values:
             choose(driver, name, value)
             if driver.run(TABLE_ROWS) != count:
-                check(False, f"filter {name} = {value} shows the {count} configurations that have this value")
+                check(False, f"filter {name} = {value} shows the {count} runs that have this value")
         choose(driver, name, "all")
     points = "return wrinkleReport.charts.trade.data.datasets.reduce((n, d) => n + d.data.length, 0)"
     all_points = driver.run(points)
@@ -168,6 +167,70 @@ def look_at_filters(driver):
         choose(driver, "trade-datapath", "all")
         check(sum(each) == all_points and driver.run(points) == all_points,
               f"the chart shows the points of one datapath at a time: {dict(zip(values, each))}")
+
+
+COLUMN_ROWS = """
+    return [...document.querySelectorAll('#picture-columns tbody tr')].map(tr => [...tr.cells].map(td => td.textContent))"""
+
+
+def look_at_columns(driver):
+    """Under the pointer the page shows the colours of both pictures, and the values that they were made of."""
+    names = driver.run("return [...document.getElementById('picture-a').options].map(o => o.value)")
+    golden = next(name for name in names if name.endswith(", golden"))
+    exact = golden.removesuffix("golden") + "exact"
+    choose(driver, "picture-a", golden)
+    choose(driver, "picture-b", exact)
+    at = driver.run("""
+        const canvas = document.getElementById('picture-canvas');
+        canvas.scrollIntoView({block: 'center', behavior: 'instant'});
+        const box = canvas.getBoundingClientRect();
+        return [box.left + box.width / 2, box.top + box.height / 2];""")
+    driver.mouse([at[0] - 5, at[1]], at)
+    check(wait_for(driver, COLUMN_ROWS + ".length > 6"), "the pixel under the pointer shows its values")
+    rows = {row[0]: row[1:] for row in driver.run(COLUMN_ROWS)}
+    check({"red", "N.x", "N.z", "L.x", "NL", "diffuse"} <= set(rows), f"these values are shown: {', '.join(rows)}")
+    length = sum(float(rows["N." + axis][0]) ** 2 for axis in "xyz") ** 0.5
+    check(abs(length - 1) < 0.01, f"N of {golden} has the length {length:.4f}")
+    cosine = sum(float(rows["N." + axis][1]) * float(rows["L." + axis][1]) for axis in "xyz")
+    check(abs(max(cosine, 0) - float(rows["NL"][1])) < 0.001, f"N.L of {exact} is {cosine:.4f}, and is shown as {rows['NL'][1]}")
+    for name, (left, right, difference) in rows.items():
+        check(abs(float(left) - float(right) - float(difference)) < 0.0002, f"{name}: {left} - {right} = {difference}")
+
+
+def look_at_runs(driver):
+    """Each run has its own chart of errors by stage, and of speeds where there are any."""
+    for select, chart in (("budget-run", "budget"), ("speed-run", "speed")):
+        runs = driver.run(f"return [...document.getElementById('{select}').options].map(o => o.value)")
+        drawn = []
+        for run in runs:
+            choose(driver, select, run)
+            drawn.append(str(driver.run(f"return wrinkleReport.charts.{chart}.data.datasets[0].data")))
+        check(len(set(drawn)) == len(runs), f"the chart '{chart}' is another for each of the runs {runs}")
+
+
+def look_at_narrow(driver):
+    """On a telephone nothing is wider than the screen but tables, which scroll by themselves."""
+    driver.call("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": {
+        "width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": True}})
+    driver.run("location.reload()")
+    check(wait_for(driver, "return document.readyState === 'complete' && typeof wrinkleReport === 'object' && "
+                           "document.getElementById('picture-text').textContent !== ''"), "the page opens at 390 pixels")
+    width = driver.run("return [window.innerWidth, document.documentElement.scrollWidth]")
+    check(width == [390, 390], f"the page is as wide as the screen: {width}")
+    picture = driver.run("const box = document.getElementById('picture-canvas').getBoundingClientRect(); "
+                         "return [box.width, box.height]")
+    check(picture[0] <= 390 and abs(picture[0] - picture[1]) < 2, f"the picture scales, in its shape: {picture}")
+    legends = driver.run("""
+        return Object.entries(wrinkleReport.charts).filter(([, c]) => c.legend.options.display && c.data.datasets.length > 1 &&
+            !c.canvas.closest('[hidden]')).map(([name, c]) => [name, c.legend.height, c.chartArea.height]);""")
+    check(all(legend > 0 and area > 100 for _, legend, area in legends), f"charts keep their legends: {legends}")
+    tables = driver.run("""
+        return [...document.querySelectorAll('.wide table')].filter(t => t.offsetWidth > 0 &&
+            t.parentElement.scrollWidth > t.parentElement.clientWidth).length;""")
+    check(tables > 0, f"{tables} tables are wider than the screen and scroll by themselves")
+    driver.call("POST", "/goog/cdp/execute", {"cmd": "Emulation.clearDeviceMetricsOverride", "params": {}})
+    driver.run("location.reload()")
+    wait_for(driver, "return document.readyState === 'complete' && document.getElementById('picture-text').textContent !== ''")
 
 
 def look_at_paper(driver):
@@ -224,10 +287,13 @@ def look(driver, page):
     choose(driver, "picture-zoom", "1")
     choose(driver, "picture-split", "50")
 
+    look_at_columns(driver)
+    look_at_runs(driver)
     look_at_filters(driver)
     if driver.run("return !document.getElementById('paper').hidden"):
         look_at_paper(driver)
     look_at_downloads(driver)
+    look_at_narrow(driver)
     errors = [entry for entry in driver.call("POST", "/se/log", {"type": "browser"}) if entry["level"] == "SEVERE"]
     check(not errors, f"the browser logged no error {errors}")
 

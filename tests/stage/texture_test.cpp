@@ -77,7 +77,7 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
       double lod = real(batch->interpolate_lod[0][i], context.config.lod_fraction_bits);
       // Without a trilinear filter the level of detail is a whole level already.
       const exact::Sample want =
-          exact::sample(config, draw, exact_texture, {real(u[i], config.uv_bits), real(v[i], config.uv_bits)}, lod);
+          exact::sample(exact::filtering(config, draw), exact_texture, {real(u[i], config.uv_bits), real(v[i], config.uv_bits)}, lod);
       for (std::size_t k = 0; k < batch->texture_bump.size(); ++k) {
         const double error = real(batch->texture_bump[k][i], context.config.bump_fraction) - want.bump[k];
         if (context.config.bump_saturates != 0)

@@ -45,8 +45,15 @@ function chart(id, config) {
   charts[id] = new Chart(element(id + '-chart'), config);
 }
 
+// Each run with what is known of its configuration; the scene is one more choice to filter by.
+const runs = data.runs.map(run => {
+  const config = data.configs.find(c => c.name === run.config);
+  return { ...run, choices: { ...config.choices, scene: run.scene }, area: config.area };
+});
+window.wrinkleReport.runs = runs;
+const isNarrow = window.innerWidth < 600;
 const figures = data.figures ? ['fig1', 'fig2', 'fig3'].map(name => data.figures[name]) : [];
-const standard = data.configs.find(c => c.name === 'standard');
+const standard = runs.find(r => r.config === 'standard' && r.scene === 'patch_fig6') || runs.find(r => r.config === 'standard');
 const pairs = data.paper ? data.paper.pairs : [];
 const pairName = p => `${capital(p.a)} against ${capital(p.b)}`;
 
@@ -57,8 +64,8 @@ function drawTiles() {
     tiles.push([over(figures[2]), 'gates of Fig. 3 over Fig. 1, the paper’s own'], [over(figures[1]), 'gates of Fig. 2 over Fig. 1, Blinn’s']);
   }
   if (pairs.length) tiles.push([`${fixed(pairs[0].psnr_db, 1)} dB`, `${pairName(pairs[0])}, SSIM ${fixed(pairs[0].ssim, 4)}`]);
-  if (standard && standard.error) tiles.push([`${fixed(standard.error.precision.psnr_db, 1)} dB`, 'what the widths of “standard” keep']);
-  const chip = data.speed && data.speed.chips.find(c => c.config === 'standard');
+  if (standard) tiles.push([`${fixed(standard.error.precision.psnr_db, 1)} dB`, 'what the widths of “standard” keep']);
+  const chip = data.speed && data.speed.chips.find(c => c.config === 'standard' && c.scene === 'patch_fig6');
   if (chip) tiles.push([fixed(chip.clocks_per_pixel, 3), 'clocks a pixel of “standard” on the patch']);
   element('tiles').replaceChildren(...tiles.map(([number, text]) => {
     const tile = create('div', undefined, 'tile');
@@ -133,11 +140,11 @@ const pointNames = {
   },
 };
 
-// One filter for every choice in which the configurations differ; these two are always there.
+// One filter for every choice in which the runs differ; these two are always there.
 const mainFilters = ['datapath', 'normalizer_n'];
 function startTrade() {
-  const keys = [...new Set(data.configs.flatMap(c => Object.keys(c.choices)))];
-  const values = key => [...new Set(data.configs.map(c => c.choices[key]))];
+  const keys = [...new Set(runs.flatMap(r => Object.keys(r.choices)))];
+  const values = key => [...new Set(runs.map(r => r.choices[key]))];
   const more = create('details');
   more.append(create('summary', 'more filters'));
   for (const key of keys) {
@@ -155,11 +162,12 @@ function startTrade() {
 
 function drawTrade() {
   const filters = [...element('trade-filters').querySelectorAll('select')].filter(s => s.value !== 'all');
-  const shown = data.configs.filter(c => filters.every(s => c.choices[s.dataset.key] === s.value));
-  const points = shown.filter(c => c.area && c.error);
-  const kinds = [...new Set(data.configs.map(c => c.choices.datapath))];
-  element('trade-chart').parentElement.hidden = !data.configs.some(c => c.area);
-  element('trade-note').textContent = data.configs.some(c => c.area) ? '' : 'Without synthesis there is no area to plot: the precision of each configuration is in the table.';
+  const shown = runs.filter(c => filters.every(s => c.choices[s.dataset.key] === s.value));
+  const points = shown.filter(c => c.area);
+  const kinds = [...new Set(runs.map(c => c.choices.datapath))];
+  const withArea = runs.some(c => c.area);
+  element('trade-chart').parentElement.hidden = !withArea;
+  element('trade-note').textContent = withArea ? '' : 'Without synthesis there is no area to plot: the precision of each configuration is in the table.';
   chart('trade', {
     type: 'scatter',
     plugins: [pointNames],
@@ -176,15 +184,14 @@ function drawTrade() {
         legend: { position: 'bottom', labels: { boxWidth: 12 } },
         tooltip: { callbacks: { label: ({ raw }) => [
           `${raw.name}: ${fixed(raw.x, 0)} NAND2, ${fixed(raw.y, 1)} dB, ${fixed(raw.config.area.critical_path_ns, 1)} ns`,
-          `normalizers ${['n', 'l', 'h'].map(v => raw.config.choices['normalizer_' + v]).join(', ')}; scene ${raw.config.error.scene}`,
+          `normalizers ${['n', 'l', 'h'].map(v => raw.config.choices['normalizer_' + v]).join(', ')}; scene ${raw.config.scene}`,
         ] } },
       },
     },
   });
-  const withArea = data.configs.some(c => c.area);
   table('trade-table', shown, [
-    ['configuration', c => c.name], ['datapath', c => c.choices.datapath, true], ['normalizer of N', c => c.choices.normalizer_n, true],
-    ['scene', c => c.error.scene, true],
+    ['configuration', c => c.config], ['datapath', c => c.choices.datapath, true], ['normalizer of N', c => c.choices.normalizer_n, true],
+    ['scene', c => c.scene, true],
     ...(withArea ? [
       ['NAND2', c => fixed(c.area && c.area.nand2, 0)], ['flip-flops', c => fixed(c.area && c.area.flip_flops, 0)],
       ['critical path ns', c => fixed(c.area && c.area.critical_path_ns, 2)],
@@ -192,11 +199,17 @@ function drawTrade() {
     ['precision dB', c => decibels(c.error.precision.psnr_db)], ['method dB', c => decibels(c.error.method.psnr_db)],
     ['SSIM', c => fixed(c.error.precision.ssim, 5)],
   ]);
+  element('trade-left-out').textContent = data.left_out.map(l => `Left out: ${l.name}: ${l.why}`).join('\n');
 }
 
 // Pictures: the left one up to the divide, the right one from there on; or their difference about mid grey.
 const images = new Map();
+const read = new Map();
 function pixels(image) {
+  if (!read.has(image)) read.set(image, readPixels(image));
+  return read.get(image);
+}
+function readPixels(image) {
   const canvas = create('canvas');
   canvas.width = image.width;
   canvas.height = image.height;
@@ -244,7 +257,7 @@ function drawPictures() {
   canvas.width = a.width;
   canvas.height = a.height;
   canvas.style.width = a.width * zoom + 'px';
-  canvas.style.height = a.height * zoom + 'px';
+  canvas.style.maxWidth = zoom > 1 ? 'none' : '100%';
   if (a.width !== b.width || a.height !== b.height) {
     element('picture-text').textContent = 'Pictures of different sizes: only the left one is shown.';
     context.drawImage(a, 0, 0);
@@ -286,11 +299,59 @@ function startPictures() {
   // Dragging on the picture moves the divide.
   const canvas = element('picture-canvas');
   canvas.addEventListener('pointermove', event => {
-    if (event.buttons === 0) return;
     const box = canvas.getBoundingClientRect();
+    const along = (offset, size, count) => Math.min(count - 1, Math.max(0, Math.floor(count * offset / size)));
+    drawColumns(along(event.clientX - box.left, box.width, canvas.width), along(event.clientY - box.top, box.height, canvas.height));
+    if (event.buttons === 0) return;
     element('picture-split').value = 100 * (event.clientX - box.left) / box.width;
     drawPictures();
   });
+}
+
+// The values of a picture's pixels, decoded when they are first asked for; see sim/report/columns.h for the codes.
+const columns = new Map();
+async function decode(uri) {
+  const image = new Image();
+  image.src = uri;
+  await image.decode();
+  return readPixels(image).data;
+}
+function columnsOf(name) {
+  if (!columns.has(name)) {
+    const { columns: stored = [] } = data.pictures.find(p => p.name === name);
+    columns.set(name, Promise.all(stored.map(async c => ({ values: c.values, high: await decode(c.high), low: await decode(c.low) }))));
+  }
+  return columns.get(name);
+}
+
+// {value: number} at a pixel; a value is missing where nothing is drawn.
+function valuesAt(decoded, index) {
+  const { offset, step } = data.column_format, found = {};
+  for (const { values, high, low } of decoded) {
+    values.forEach((value, k) => {
+      const code = 256 * high[4 * index + k] + low[4 * index + k];
+      if (code > 0) found[value] = offset + step * code;
+    });
+  }
+  return found;
+}
+
+let latest = 0;
+async function drawColumns(x, y) {
+  const turn = ++latest;
+  const names = [element('picture-a').value, element('picture-b').value];
+  const shown = names.map(name => images.get(name)).filter(image => image && x < image.width && y < image.height);
+  const decoded = await Promise.all(names.map(columnsOf));
+  if (turn !== latest || shown.length < 2) return;  // the pointer has moved on
+  const [a, b] = decoded.map((d, i) => valuesAt(d, y * shown[i].width + x));
+  const colour = ['red', 'green', 'blue'].map((name, k) => [name, ...shown.map(image => pixels(image).data[4 * (y * image.width + x) + k])]);
+  const rows = [...colour.map(([name, left, right]) => ({ name, left, right, digits: 0 })),
+                ...[...new Set([...Object.keys(a), ...Object.keys(b)])].map(name => ({ name, left: a[name], right: b[name], digits: 4 }))];
+  element('picture-pixel').textContent = `x ${x}, y ${y}`;
+  table('picture-columns', rows, [
+    ['value', r => r.name], [names[0], r => fixed(r.left, r.digits)], [names[1], r => fixed(r.right, r.digits)],
+    ['difference', r => r.left === undefined || r.right === undefined ? '' : fixed(r.left - r.right, r.digits)],
+  ]);
 }
 
 const methodNames = {
@@ -310,7 +371,7 @@ function drawTessellation() {
     },
     options: {
       scales: { x: { title: { display: true, text: 'squares of the patch, two triangles each' } }, y: { title: { display: true, text: 'against Eq. 1-2, dB' } } },
-      plugins: { legend: { position: 'right', labels: { boxWidth: 12 } }, tooltip: { callbacks: { label: c => `${c.dataset.label}: ${fixed(c.raw, 2)} dB` } } },
+      plugins: { legend: { position: isNarrow ? 'bottom' : 'right', labels: { boxWidth: 12 } }, tooltip: { callbacks: { label: c => `${c.dataset.label}: ${fixed(c.raw, 2)} dB` } } },
     },
   });
   table('tessellation-table', methods, [
@@ -343,7 +404,7 @@ function drawPaper() {
 }
 
 function drawBudget() {
-  const run = data.configs.find(c => c.name === element('budget-run').value);
+  const run = runs.find(r => r.name === element('budget-run').value);
   if (!run) return;
   chart('budget', {
     type: 'bar',
@@ -360,13 +421,14 @@ function drawBudget() {
 
 function drawSpeed() {
   if (!data.speed) return;
-  const engines = data.speed.engines;
+  const run = data.speed.runs.find(r => r.name === element('speed-run').value);
+  const engines = run ? run.engines : [];
   chart('speed', {
     type: 'bar',
     data: { labels: engines.map(e => e.engine), datasets: [{ label: 'pixels per CPU second', data: engines.map(e => e.pixels_per_cpu_s), backgroundColor: colours[3], maxBarThickness: 34 }] },
     options: {
       indexAxis: 'y', plugins: { legend: { display: false } },
-      scales: { x: { type: 'logarithmic', ticks: { callback: v => /^10*$/.test(String(v)) ? fixed(v, 0) : '' }, title: { display: true, text: `pixels per CPU second, ${data.speed.config} on ${data.speed.scene}` } }, y: { grid: { display: false } } },
+      scales: { x: { type: 'logarithmic', ticks: { callback: v => /^10*$/.test(String(v)) ? fixed(v, 0) : '' }, title: { display: true, text: 'pixels per CPU second' } }, y: { grid: { display: false } } },
     },
   });
   table('speed-table', engines, [
@@ -374,7 +436,7 @@ function drawSpeed() {
   ]);
   element('chip').hidden = !data.speed.chips.length;
   table('chip-table', data.speed.chips, [
-    ['configuration', c => c.config], ['clocks per pixel', c => fixed(c.clocks_per_pixel, 3)],
+    ['configuration', c => c.config], ['scene', c => c.scene, true], ['clocks per pixel', c => fixed(c.clocks_per_pixel, 3)],
     ['clock period, ns', c => fixed(c.period_ns, 2)], ['million pixels per second', c => c.pixels_per_s ? fixed(1e-6 * c.pixels_per_s, 1) : ''],
   ]);
 }
@@ -401,10 +463,12 @@ function start() {
   drawTrade();
   startPictures();
   drawPaper();
-  options(element('budget-run'), data.configs.filter(c => c.error && c.error.stages.length).map(c => c.name));
-  if (standard && standard.error) element('budget-run').value = 'standard';
+  options(element('budget-run'), runs.map(r => r.name));
+  if (standard) element('budget-run').value = standard.name;
   element('budget-run').addEventListener('input', drawBudget);
   drawBudget();
+  if (data.speed) options(element('speed-run'), data.speed.runs.map(r => r.name));
+  element('speed-run').addEventListener('input', drawSpeed);
   drawSpeed();
   table('provenance-table', Object.entries(data.provenance), [['', e => e[0]], ['', e => e[1], true]]);
   startDownloads();
