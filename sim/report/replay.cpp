@@ -32,8 +32,7 @@ void for_each_column(const Shape& config, Part part, Visit&& visit) {
     case Part::kTexel:
     case Part::kFilter:
       only(config.bump_components != 0, &Fragments::bump);
-      only(config.decal != 0, &Fragments::decal);
-      return only(config.gloss_map != 0, &Fragments::gloss);
+      return only(config.decal != 0, &Fragments::decal);
     case Part::kPerturb:
       return only(config.normal_width != 0, &Fragments::perturbed_n);
     case Part::kNormalize:
@@ -84,10 +83,8 @@ ExactTexture decoded(const Shape& config, const Texture& texture) {
         const auto code = double(texture.code(level, i, c));
         if (c < bumps) {
           texels[i].bump[std::size_t(c)] = float((code - zero) / half);
-        } else if (c < bumps + config.colours) {
-          texels[i].colour[std::size_t(c - bumps)] = float(code / mask);
         } else {
-          texels[i].gloss = float(code / mask);
+          texels[i].colour[std::size_t(c - bumps)] = float(code / mask);
         }
       }
     }

@@ -13,9 +13,7 @@ namespace wrinkle {
 namespace {
 
 Texture one_texel(const Shape& config) {
-  Texture texture{.components = config.texels, .component_bits = config.texel_bits};
-  texture.levels.emplace_back(std::size_t(texture.texel_words()));
-  return texture;
+  return {.components = config.texels, .component_bits = config.texel_bits, .levels = {{0}}};
 }
 
 // u = uq / q for every q. It is off by half an LSB and by the relative error of the reciprocal, 2^-R.
