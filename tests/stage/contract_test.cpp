@@ -137,6 +137,8 @@ TEST(Contract, Texture) {
           if (k < c.bump_components + 3 * c.decal)
             expect_equal(batch->texture_decal[element - static_cast<std::size_t>(c.bump_components)][i],
                          round_half_up(f, d), "texture decal");
+          else
+            expect_equal(batch->texture_gloss[0][i], round_half_up(f, d), "texture gloss");
           continue;
         }
         // n = 2 f - offset 2^D of full scale 2^T where the datapath doubles its code; else f - 2^(T-1+D).
@@ -272,7 +274,11 @@ TEST(Contract, Output) {
   for_each_fragment(kOutput, [](const Context& context, const Batch64& batch, std::size_t i) {
     const Shape& c = context.config;
     const DrawWords& draw = context.draw;
-    const Wide specular = c.glossy != 0 ? batch.light_specular[0][i] : 0;
+    Wide specular = c.glossy != 0 ? batch.light_specular[0][i] : 0;
+    if (c.gloss_map != 0) {
+      const Wide code = batch.texture_gloss[0][i];
+      specular = round_half_up(specular * (code + (code >> (c.texel_bits - 1))), c.texel_bits);
+    }
     for (std::size_t k = 0; k < static_cast<std::size_t>(c.count); ++k) {
       Wide base = (Wide{draw.ambient[k]} << c.dot_bits) + Wide{draw.diffuse[k]} * batch.light_diffuse[0][i];
       if (c.decal != 0) {
