@@ -53,7 +53,8 @@ module wrinkle_core #(
 
   // packet: takes the words apart into the draw state and the words of scan and interpolate
   wire [63:0] packet_word;
-  wire        scan_shift, plane_shift, plane_last, triangle_valid, triangle_take, packet_busy;
+  wire [PLANE_WORDS-1:0] plane_words;
+  wire        scan_shift, plane_shift, triangle_valid, triangle_take, packet_busy;
   wire        draw_bump, draw_textured, draw_shadow, draw_exponent_zero;
   wire [1:0]  draw_wrap_u, draw_wrap_v;
   wire [3:0]  draw_log2_width, draw_log2_height, draw_max_level, draw_squarings;
@@ -72,7 +73,7 @@ module wrinkle_core #(
   ) packet (
     .clk(clk), .rst(rst), .packet_valid_i(packet_valid_i), .packet_ready_o(packet_ready_o),
     .packet_word_i(packet_word_i), .busy_i(fragments_busy), .walking_i(scan_busy), .word_o(packet_word),
-    .scan_shift_o(scan_shift), .plane_shift_o(plane_shift), .plane_last_o(plane_last),
+    .scan_shift_o(scan_shift), .plane_shift_o(plane_shift), .plane_words_o(plane_words),
     .triangle_valid_o(triangle_valid), .triangle_take_i(triangle_take),
     .draw_bump_o(draw_bump), .draw_textured_o(draw_textured), .draw_shadow_o(draw_shadow),
     .draw_exponent_zero_o(draw_exponent_zero), .draw_wrap_u_o(draw_wrap_u), .draw_wrap_v_o(draw_wrap_v),
@@ -116,7 +117,7 @@ module wrinkle_core #(
     .SHARING(SHARING), .BUFFERING(BUFFERING), .GUARD_BITS(GUARD_BITS), .FIELDS(FIELDS), .ELEMENTS(FIELD_ELEMENTS),
     .WIDTHS(FIELD_WIDTHS), .HELD(FIELD_HELD), .READERS(FIELD_READERS), .WORDS(PLANE_WORDS), .VALUES(INTERPOLATED)
   ) interpolate (
-    .clk(clk), .shift_i(plane_shift), .last_i(plane_last), .word_i(packet_word), .load_i(triangle_take),
+    .clk(clk), .shift_i(plane_shift), .words_i(plane_words), .word_i(packet_word), .load_i(triangle_take),
     .step_i(walk_step), .carry_i(walk_carry), .span_i(walk_span), .first_i(walk_first), .pixel_i(walk_pixel),
     .values_o(interpolate_values));
 

@@ -85,8 +85,8 @@ module wrinkle_shade #(
   wire [C-1:0]     colour;
   reg [C-1:0]      colour_q;
   wire signed [C+4:0] rounded_codes;
-  wrinkle_round_half_up #(.VALUE_BITS(SUM + C), .SHIFT(C + PF), .RESULT_BITS(C + 5)) round_codes (
-    .value_i(codes), .result_o(rounded_codes));
+  wrinkle_round_half_up #(.VALUE_BITS(SUM + C + 1), .SHIFT(C + PF), .RESULT_BITS(C + 5)) round_codes (
+    .value_i({1'b0, codes}), .result_o(rounded_codes));
   wrinkle_saturate #(.VALUE_BITS(C + 5), .RESULT_BITS(C), .MINIMUM(0), .MAXIMUM((1 << C) - 1)) saturate (
     .value_i(rounded_codes), .result_o(colour));
 
