@@ -64,7 +64,8 @@ std::string script_text(const fs::path& name) {
   return text;
 }
 
-std::vector<fs::path> files_in(const std::vector<fs::path>& folders, const std::string& extension) {
+template <typename Folders>
+std::vector<fs::path> files_in(const Folders& folders, const std::string& extension) {
   std::vector<fs::path> files;
   for (const fs::path& folder : folders) {
     if (!fs::is_directory(folder)) continue;
@@ -76,9 +77,16 @@ std::vector<fs::path> files_in(const std::vector<fs::path>& folders, const std::
   return files;
 }
 
-std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
+std::set<fs::path> folders_of(const std::vector<fs::path>& files) {
   std::set<fs::path> folders;
-  for (const fs::path& source : sources) folders.insert(source.parent_path());
+  for (const fs::path& file : files) folders.insert(file.parent_path());
+  return folders;
+}
+
+// Maps are read beside every source, and include headers of rtl/unit.
+std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
+  std::set<fs::path> folders = folders_of(sources);
+  folders.insert(fs::path(WRINKLE_SOURCE_DIR) / "rtl" / "unit");
   return {folders.begin(), folders.end()};
 }
 
@@ -88,7 +96,7 @@ fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "m
 
 // The sources with every module that has a map replaced by it; a map that replaces nothing may be part of another.
 std::vector<fs::path> mapped_sources(const std::vector<fs::path>& sources) {
-  std::vector<fs::path> mapped = files_in({maps()}, ".v");
+  std::vector<fs::path> mapped = files_in(std::set<fs::path>{maps()}, ".v");
   for (const fs::path& source : sources) {
     if (!fs::exists(maps() / source.filename())) mapped.push_back(source);
   }
@@ -238,7 +246,7 @@ SynthesisResult make(const Job& job) {
 // Files and the headers beside them.
 void add_files(Fingerprint& key, const std::vector<fs::path>& files) {
   for (const fs::path& file : files) key.add(read_text(file));
-  for (const fs::path& header : files_in(include_folders(files), ".vh")) key.add(read_text(header));
+  for (const fs::path& header : files_in(folders_of(files), ".vh")) key.add(read_text(header));
 }
 
 // The scripts that a job can come to use: those of an FPGA bear its name or are for every FPGA, all others are for
@@ -246,7 +254,7 @@ void add_files(Fingerprint& key, const std::vector<fs::path>& files) {
 std::vector<fs::path> own_scripts(const Job& job) {
   std::vector<fs::path> found;
   for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
-    for (const fs::path& script : files_in({scripts()}, extension)) {
+    for (const fs::path& script : files_in(std::set<fs::path>{scripts()}, extension)) {
       const std::string name = script.filename();
       const auto is_of = [&](CellLibrary library) { return name.starts_with(cell_library_name(library)); };
       const bool is_of_fpga = name.starts_with("fpga") || is_of(CellLibrary::kIce40) || is_of(CellLibrary::kEcp5) ||
@@ -264,7 +272,7 @@ std::string netlist_key(const Job& job) {
   key.add(job.top);
   for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value.text));
   add_files(key, job.mapped);
-  for (const fs::path& header : files_in(include_folders(job.sources), ".vh")) key.add(read_text(header));
+  for (const fs::path& header : files_in(folders_of(job.sources), ".vh")) key.add(read_text(header));
   for (const fs::path& script : own_scripts(job)) key.add(read_text(script));
   if (job.is_standard_cells()) {
     key.add(read_text(liberty_path(job.library)));
@@ -342,7 +350,7 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
   Job job{top, parameters, library, options, options.sources, {}, {}};
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
   if (job.sources.empty())
-    job.sources = files_in({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
+    job.sources = files_in(std::set<fs::path>{rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
   for (fs::path& source : job.sources) source = fs::absolute(source);
 
   const fs::path cache = cache_folder(options);
