@@ -70,6 +70,9 @@ struct NormalizerArea {
   SynthesisResult result;
 };
 
+// Widths that are measured.
+const std::vector<int> kNormalizerWidths{8, 9, 10, 12, 16};
+
 // Every kind but `none`, at every F given.
 std::vector<NormalizerArea> measure_normalizers(const std::vector<int>& unit_bits, const AreaOptions& options);
 
