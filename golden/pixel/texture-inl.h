@@ -216,14 +216,15 @@ void texture_bump(const L& l, const Constants<typename L::Int>& c, const BoundTe
              });
 }
 
-// A base colour or a gloss: `components` of a texel from `first` on into columns of codes.
-template <class L, class Columns>
-HWY_INLINE void texture_codes(const L& l, const Constants<typename L::Int>& c, const BoundTexture& texture, int first,
-                              int components, Samples<typename L::Int>& s, int count, const Columns out) {
+// Out of line, so that it costs those without a gloss nothing.
+template <class L>
+HWY_NOINLINE void texture_gloss(const L& l, const Constants<typename L::Int>& c, const BoundTexture& texture,
+                                Samples<typename L::Int>& s, Batch<typename L::Int>& batch) {
   const int d = c.config.filter_fraction_bits;
-  sample_all(l, c, texture, first, components, count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
-    l.store(round_half_up(l, f, d), &out[k][i]);
-  });
+  const auto out = batch.texture_gloss;
+  sample_all(l, c, texture, c.config.texels - 1, 1, batch.count, s,
+             [&](std::size_t k, std::size_t i, typename L::V f)
+                 HWY_ATTR { l.store(round_half_up(l, f, d), &out[k][i]); });
 }
 
 template <class L>
@@ -243,9 +244,13 @@ void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) 
     l.store(levels.weight, &s.weight[i]);
   }
   if (c.config.bump_components != 0) texture_bump(l, c, *context.texture, s, batch);
-  const int first = c.config.bump_components, last = c.config.texels - 1;
-  if (c.config.decal != 0) texture_codes(l, c, *context.texture, first, 3, s, batch.count, batch.texture_decal);
-  if (c.config.gloss_map != 0) texture_codes(l, c, *context.texture, last, 1, s, batch.count, batch.texture_gloss);
+  if (c.config.gloss_map != 0) texture_gloss(l, c, *context.texture, s, batch);
+  if (c.config.decal == 0) return;
+  const int d = c.config.filter_fraction_bits;
+  const auto out = batch.texture_decal;
+  sample_all(l, c, *context.texture, c.config.bump_components, 3, batch.count, s,
+             [&](std::size_t k, std::size_t i, typename L::V f)
+                 HWY_ATTR { l.store(round_half_up(l, f, d), &out[k][i]); });
 }
 
 }  // namespace HWY_NAMESPACE
