@@ -25,6 +25,7 @@
   parameter PERSPECTIVE        = 0,  // 0 to 1: off|on
   parameter DEPTH              = 1,  // 0 to 1: off|on; z interpolated and put out
   parameter DECAL              = 0,  // 0 to 1: off|on; base colour in texel components 3 to 5
+  parameter GLOSS_MAP          = 0,  // 0 to 1: off|on; factor of the highlight in the last texel component
   parameter CHANNELS           = 1,  // 0 to 1: one|three; colour channels: grey | red, green, blue
   parameter SCREEN_BITS        = 10, // 4 to 12; X: the screen is at most 2^X by 2^X pixels
   parameter SUBPIXEL_BITS      = 8,  // 2 to 8; S: vertices lie on a grid of 2^-S pixel
@@ -101,10 +102,11 @@
   localparam L_VECTOR = 3 * LIGHT_WIDTH;  // bits of L
   localparam H_VECTOR = GLOSSY * L_VECTOR;  // bits of H, or of E
   localparam COLOURS = DECAL != 0 ? 3 : 0;  // components of the base colour
-  localparam TEXELS = BUMP_COMPONENTS + COLOURS;  // components of a texel: bump map, base colour
+  localparam TEXELS = BUMP_COMPONENTS + COLOURS + GLOSS_MAP;  // components of a texel: bump map, base colour, gloss
   localparam TEXTURED = TEXELS != 0 ? 1 : 0;  // 1: there is a texture unit
   localparam BUMP = BUMP_COMPONENTS * BUMP_WIDTH;  // bits of the decoded bump map
   localparam DECALS = COLOURS * TEXEL_BITS;  // bits of the base colour
+  localparam GLOSS_BITS = GLOSS_MAP * TEXEL_BITS;  // bits of the gloss
   localparam UV = TEXTURED != 0 ? UV_INTEGER_BITS + UV_BITS : 0;  // bits of u, of v
   localparam Q = PERSPECTIVE != 0 && TEXTURED != 0 ? Q_BITS : 0;  // bits of the interpolated 1/w; 0: no division
   localparam LOD = TEXTURED == 0 ? 0 : FILTER == 2 ? 6 + LOD_BITS : 6;  // bits of the level of detail
@@ -124,7 +126,7 @@
   localparam TEXTURE_CARRY = TAG + L_VECTOR + H_VECTOR + FRAME;
   localparam PERSPECTIVE_CARRY = TEXTURE_CARRY + LOD_PLANE + LOD_HELD;  // bits that go past `perspective`
   localparam INTERPOLATED = PERSPECTIVE_CARRY - TAG + Z + 2 * UV + Q;  // bits that `interpolate` hands on
-  localparam NORMALIZE_CARRY = TAG + DECALS;  // bits that go past `normalize`
+  localparam NORMALIZE_CARRY = TAG + DECALS + GLOSS_BITS;  // bits that go past `normalize`
   localparam PERTURB_CARRY = NORMALIZE_CARRY + L_VECTOR + H_VECTOR;  // bits that go past `perturb`
   localparam LIGHT_CARRY = NORMALIZE_CARRY + 1;  // bits that go past `light`
   localparam EDGE_BITS = SCREEN_BITS + SUBPIXEL_BITS + 2;  // bits of the denominator of an edge
@@ -272,6 +274,9 @@
     if (DECAL < 0 || DECAL > 1) begin : decal_range
       wrinkle_error_decal_is_not_0_to_1 error ();
     end
+    if (GLOSS_MAP < 0 || GLOSS_MAP > 1) begin : gloss_map_range
+      wrinkle_error_gloss_map_is_not_0_to_1 error ();
+    end
     if (CHANNELS < 0 || CHANNELS > 1) begin : channels_range
       wrinkle_error_channels_is_not_0_to_1 error ();
     end
@@ -346,6 +351,9 @@
     end
     if (LIGHT_VECTORS != 0 && LIGHT_MAY_BE_CONSTANT == 0) begin : light_vectors_turn_with_the_frame
       wrinkle_error_light_vectors_turn_with_the_frame error ();
+    end
+    if (GLOSS_MAP != 0 && LIGHTING == 0) begin : gloss_map_needs_a_highlight
+      wrinkle_error_gloss_map_needs_a_highlight error ();
     end
     if (NORMAL_ANY_LENGTH != 0 && (NORMALIZER_N == 0 || NORMALIZER_N == 4)) begin : normalizer_n_must_take_any_length
       wrinkle_error_normalizer_n_must_take_any_length error ();

@@ -53,7 +53,8 @@ module wrinkle_core #(
 
   // packet: takes the words apart into the draw state and the words of scan and interpolate
   wire [63:0] packet_word;
-  wire        scan_shift, plane_shift, plane_last, triangle_valid, triangle_take, packet_busy;
+  wire [PLANE_WORDS-1:0] plane_words;
+  wire        scan_shift, plane_shift, triangle_valid, triangle_take, packet_busy;
   wire        draw_bump, draw_textured, draw_shadow, draw_exponent_zero;
   wire [1:0]  draw_wrap_u, draw_wrap_v;
   wire [3:0]  draw_log2_width, draw_log2_height, draw_max_level, draw_squarings;
@@ -72,7 +73,7 @@ module wrinkle_core #(
   ) packet (
     .clk(clk), .rst(rst), .packet_valid_i(packet_valid_i), .packet_ready_o(packet_ready_o),
     .packet_word_i(packet_word_i), .busy_i(fragments_busy), .walking_i(scan_busy), .word_o(packet_word),
-    .scan_shift_o(scan_shift), .plane_shift_o(plane_shift), .plane_last_o(plane_last),
+    .scan_shift_o(scan_shift), .plane_shift_o(plane_shift), .plane_words_o(plane_words),
     .triangle_valid_o(triangle_valid), .triangle_take_i(triangle_take),
     .draw_bump_o(draw_bump), .draw_textured_o(draw_textured), .draw_shadow_o(draw_shadow),
     .draw_exponent_zero_o(draw_exponent_zero), .draw_wrap_u_o(draw_wrap_u), .draw_wrap_v_o(draw_wrap_v),
@@ -116,7 +117,7 @@ module wrinkle_core #(
     .SHARING(SHARING), .BUFFERING(BUFFERING), .GUARD_BITS(GUARD_BITS), .FIELDS(FIELDS), .ELEMENTS(FIELD_ELEMENTS),
     .WIDTHS(FIELD_WIDTHS), .HELD(FIELD_HELD), .READERS(FIELD_READERS), .WORDS(PLANE_WORDS), .VALUES(INTERPOLATED)
   ) interpolate (
-    .clk(clk), .shift_i(plane_shift), .last_i(plane_last), .word_i(packet_word), .load_i(triangle_take),
+    .clk(clk), .shift_i(plane_shift), .words_i(plane_words), .word_i(packet_word), .load_i(triangle_take),
     .step_i(walk_step), .carry_i(walk_carry), .span_i(walk_span), .first_i(walk_first), .pixel_i(walk_pixel),
     .values_o(interpolate_values));
 
@@ -152,19 +153,20 @@ module wrinkle_core #(
   wrinkle_level #(.BITS(PERSPECTIVE_CARRY), .PLANE(LOD_PLANE), .HELD(LOD_HELD)) perspective_level (
     .bus_i(perspective_others), .level_o(perspective_lod));
 
-  // texture: asks for texels, decodes and filters them into the bump map and the base colour
+  // texture: asks for texels, decodes and filters them into the bump map, the base colour and the gloss
   wire texture_valid, texture_ready;
   wire [(FRAME != 0 ? FRAME : 1)-1:0]   texture_frame;
   wire [(BUMP != 0 ? BUMP : 1)-1:0]     texture_bump;
   wire [(DECALS != 0 ? DECALS : 1)-1:0] texture_decal;
+  wire [(GLOSS_BITS != 0 ? GLOSS_BITS : 1)-1:0] texture_gloss;
   wire [TEXTURE_CARRY-1:0]              texture_carried;
   wire [PERTURB_CARRY-1:0]              texture_others;
 
   wrinkle_texture #(
     .BUMP_COMPONENTS(BUMP_COMPONENTS), .BUMP_WIDTH(BUMP_WIDTH), .BUMP_FRACTION(BUMP_FRACTION),
-    .BUMP_OFFSET(BUMP_OFFSET), .BUMP_SATURATES(BUMP_SATURATES), .COLOURS(COLOURS), .FILTER(FILTER),
-    .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .LOD_BITS(LOD_BITS), .WEIGHT_BITS(WEIGHT_BITS),
-    .TEXEL_BITS(TEXEL_BITS), .TEXTURE_FIFO_BITS(TEXTURE_FIFO_BITS), .CARRY(TEXTURE_CARRY)
+    .BUMP_OFFSET(BUMP_OFFSET), .BUMP_SATURATES(BUMP_SATURATES), .COLOURS(COLOURS), .TEXELS(TEXELS),
+    .FILTER(FILTER), .UV_INTEGER_BITS(UV_INTEGER_BITS), .UV_BITS(UV_BITS), .LOD_BITS(LOD_BITS),
+    .WEIGHT_BITS(WEIGHT_BITS), .TEXEL_BITS(TEXEL_BITS), .TEXTURE_FIFO_BITS(TEXTURE_FIFO_BITS), .CARRY(TEXTURE_CARRY)
   ) texture (
     .clk(clk), .rst(rst), .draw_textured_i(draw_textured), .draw_wrap_u_i(draw_wrap_u), .draw_wrap_v_i(draw_wrap_v),
     .draw_log2_width_i(draw_log2_width), .draw_log2_height_i(draw_log2_height), .draw_max_level_i(draw_max_level),
@@ -176,18 +178,24 @@ module wrinkle_core #(
     .texel_response_ready_o(texel_response_ready_o), .texel_a00_i(texel_a00_i), .texel_a10_i(texel_a10_i),
     .texel_a01_i(texel_a01_i), .texel_a11_i(texel_a11_i), .texel_b00_i(texel_b00_i), .texel_b10_i(texel_b10_i),
     .texel_b01_i(texel_b01_i), .texel_b11_i(texel_b11_i), .out_valid_o(texture_valid), .out_ready_i(texture_ready),
-    .bump_o(texture_bump), .decal_o(texture_decal), .carry_o(texture_carried), .busy_o(texture_busy));
+    .bump_o(texture_bump), .decal_o(texture_decal), .gloss_o(texture_gloss), .carry_o(texture_carried),
+    .busy_o(texture_busy));
 
   wrinkle_field #(.BITS(TEXTURE_CARRY), .AT(TEXTURE_CARRY - FRAME), .WIDTH(FRAME)) field_texture_frame (
     .bus_i(texture_carried), .field_o(texture_frame));
 
-  // What is carried on from here: {h, l, decal, z, last, y, x}.
+  // What is carried on from here: {h, l, gloss, decal, z, last, y, x}.
   assign texture_others[TAG-1:0] = texture_carried[TAG-1:0];
   generate
     if (DECALS != 0) begin : carry_decal
       assign texture_others[TAG +: DECALS] = texture_decal;
     end else begin : carry_no_decal
       wire unused_decal = texture_decal;
+    end
+    if (GLOSS_BITS != 0) begin : carry_gloss
+      assign texture_others[TAG + DECALS +: GLOSS_BITS] = texture_gloss;
+    end else begin : carry_no_gloss
+      wire unused_gloss = texture_gloss;
     end
     if (L_VECTOR != 0) begin : carry_light
       assign texture_others[NORMALIZE_CARRY +: L_VECTOR + H_VECTOR] = texture_carried[TAG +: L_VECTOR + H_VECTOR];
@@ -234,8 +242,9 @@ module wrinkle_core #(
   wire [DOT_BITS:0] light_nl, light_diffuse;
   wire [(GLOSSY != 0 ? DOT_BITS : 0):0]   light_nh;
   wire [(GLOSSY != 0 ? POWER_BITS : 0):0] light_specular;
-  wire [LIGHT_CARRY-1:0]                  light_others;  // {zero, decal, z, last, y, x}
+  wire [LIGHT_CARRY-1:0]                  light_others;  // {zero, gloss, decal, z, last, y, x}
   wire [(DECALS != 0 ? DECALS : 1)-1:0]   light_decal;
+  wire [(GLOSS_BITS != 0 ? GLOSS_BITS : 1)-1:0] light_gloss;
   wire unused_but_observed = &{1'b0, light_nl, light_nh};
 
   wrinkle_light #(
@@ -253,6 +262,8 @@ module wrinkle_core #(
 
   wrinkle_field #(.BITS(LIGHT_CARRY), .AT(TAG), .WIDTH(DECALS)) field_light_decal (
     .bus_i(light_others), .field_o(light_decal));
+  wrinkle_field #(.BITS(LIGHT_CARRY), .AT(TAG + DECALS), .WIDTH(GLOSS_BITS)) field_light_gloss (
+    .bus_i(light_others), .field_o(light_gloss));
 
   // output: the colour, and with it all that was carried along
   wire output_valid, output_ready;
@@ -265,12 +276,13 @@ module wrinkle_core #(
   assign {fragment_y_o, fragment_x_o} = output_others[2*SCREEN_BITS-1:0];
 
   wrinkle_output #(
-    .GLOSSY(GLOSSY), .COLOURS(COLOURS), .COUNT(COUNT), .TEXEL_BITS(TEXEL_BITS), .DOT_BITS(DOT_BITS),
-    .POWER_BITS(POWER_BITS), .COLOUR_BITS(COLOUR_BITS), .CARRY(TAG + 1)
+    .GLOSSY(GLOSSY), .COLOURS(COLOURS), .GLOSS_MAP(GLOSS_MAP), .COUNT(COUNT), .TEXEL_BITS(TEXEL_BITS),
+    .DOT_BITS(DOT_BITS), .POWER_BITS(POWER_BITS), .COLOUR_BITS(COLOUR_BITS), .CARRY(TAG + 1)
   ) outputs (
     .clk(clk), .rst(rst), .draw_ambient_i(draw_ambient), .draw_diffuse_i(draw_diffuse),
     .draw_specular_i(draw_specular), .in_valid_i(light_valid), .in_ready_o(light_ready), .diffuse_i(light_diffuse),
-    .specular_i(light_specular), .decal_i(light_decal), .carry_i({light_others[LIGHT_CARRY-1], light_others[TAG-1:0]}),
+    .specular_i(light_specular), .decal_i(light_decal), .gloss_i(light_gloss),
+    .carry_i({light_others[LIGHT_CARRY-1], light_others[TAG-1:0]}),
     .out_valid_o(output_valid), .out_ready_i(output_ready), .colour_o(output_colour), .carry_o(output_others),
     .busy_o(output_busy));
 

@@ -44,6 +44,7 @@ constexpr ShortName kShortNames[] = {
     {"lod", "interpolate_lod", "level of detail"},
     {"z", "interpolate_z", "depth"},
     {"decal", "texture_decal", "base colour from the texture"},
+    {"gloss", "texture_gloss", "factor of the highlight from the texture"},
 };
 constexpr std::string_view kTriangle = "triangle";
 

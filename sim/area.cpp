@@ -11,6 +11,7 @@
 #include "sim/command.h"
 #include "sim/config_file.h"
 #include "sim/input_error.h"
+#include "sim/report/all_areas.h"
 #include "sim/report/baseline.h"
 #include "sim/report/collect.h"
 #include "sim/report/fpga.h"
@@ -22,8 +23,8 @@ namespace {
 struct Options {
   std::string name = "standard", library = "osu035", effort = "area";
   std::vector<std::string> set, stages;
-  bool figures = false, normalizers = false, fpga = false, place = false, no_flat = false, quick = false, check = false,
-       keep = false, plain_adders = false, shading = false;
+  bool figures = false, normalizers = false, all = false, fpga = false, place = false, no_flat = false, quick = false,
+       check = false, keep = false, plain_adders = false, shading = false;
   int faults = 0;
   std::filesystem::path json;
 };
@@ -109,7 +110,7 @@ int run_figures(const Options& options) {
 const std::map<int, int> kNormalizerGoals{{8, 3430}, {10, 4990}, {12, 6340}, {16, 10610}};
 
 int run_normalizers(const Options& options) {
-  const std::vector<NormalizerArea> areas = measure_normalizers({8, 9, 10, 12, 16}, area_options(options));
+  const std::vector<NormalizerArea> areas = measure_normalizers(kNormalizerWidths, area_options(options));
   nlohmann::json json{{"library", options.library}, {"normalizers", nlohmann::json::array()}};
   fmt::print("logic of one normalizer in {}, without registers, V = F\n{:<10} {:>3} {:>10} {:>12} {:>9} {:>7}  {}\n",
              options.library, "kind", "F", "NAND2", "um^2", "path ns", "equal", "goal");
@@ -124,20 +125,25 @@ int run_normalizers(const Options& options) {
   return kExitEqual;
 }
 
-// Of faults put into each netlist, those that the words of its check find.
+// Of faults put into each netlist, those that the words of its check find and those that are proved to change nothing.
 void print_faults(const AreaReport& report) {
-  fmt::print("{:<22} {:>8} {:>8} {:>22} {:>22}\n", "stage", "faults", "found", "registers that changed",
-             "outputs that changed");
+  fmt::print("{:<22} {:>8} {:>8} {:>10} {:>22} {:>22}\n", "stage", "faults", "found", "redundant",
+             "registers that changed", "outputs that changed");
   for (const StageArea& stage : report.stages) {
     const NetlistChecked& c = stage.result.checked;
-    fmt::print("{:<22} {:>8} {:>8} {:>22} {:>22}\n", stage.stage, c.faults, c.faults_found,
+    fmt::print("{:<22} {:>8} {:>8} {:>10} {:>22} {:>22}\n", stage.stage, c.faults, c.faults_found, c.faults_redundant,
                fmt::format("{} of {}", c.registers_changed, c.registers),
                fmt::format("{} of {}", c.outputs_changed, c.outputs));
+    for (const std::string& missed : c.faults_missed) fmt::print("  missed: {}\n", missed);
   }
 }
 
 int measure(const Options& options) {
   if (options.normalizers) return run_normalizers(options);
+  if (options.all) {
+    write_json(options.json, measure_all(area_options(options), options.fpga));
+    return kExitEqual;
+  }
   if (options.figures || options.quick || options.check || options.keep) return run_figures(options);
   const Config config = apply_overrides(load_config(options.name), options.set);
   if (options.shading) {
@@ -192,6 +198,9 @@ void add_area(CLI::App& app, Action& run) {
   command->add_flag("--figures", options->figures, "Fig. 1, Fig. 2 and Fig. 3 of the paper");
   command->add_flag("--normalizers", options->normalizers, "Every kind of normalizer at several widths, logic alone")
       ->excludes("--figures");
+  command->add_flag("--all", options->all, "Every named configuration, the figures and the normalizers, in one table")
+      ->excludes("--figures")
+      ->excludes("--normalizers");
   command->add_flag("--check", options->check,
                     "The figures against tests/baselines/area.json and area_slow.json; exit 1 when worse");
   command->add_flag("--keep", options->keep, "Write the figures to these files");

@@ -28,6 +28,7 @@ std::vector<DatapathFrame> datapath_frames() {
       {4, {"rotated", "patch_rotated", "rotated", {}}},
       {5, {"reflection", "patch_reflection", "reflection", {}}},
       {5, {"pixel_halfangle", "patch_pixel_halfangle", "pixel_halfangle", {}}},
+      {5, {"gloss", "patch_gloss", "gloss", {}}},
       {6, {"fig5", "patch_fig5", "blinn", {}}},
       {6, {"fig6", "patch_fig6", "standard", {}}},
       {6, {"fig7", "patch_fig7", "standard", {}}},

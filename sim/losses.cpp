@@ -23,6 +23,8 @@ bool has_decal(const Object& object) {
   return mean.colour != std::array<float, 3>{1, 1, 1};
 }
 
+bool has_gloss(const Object& object) { return object.texture && object.texture->levels.back()[0].gloss != 1; }
+
 int largest_exponent(const Scene& scene) {
   int largest = 0;
   for (const Object& object : scene.objects) {
@@ -57,6 +59,7 @@ std::vector<std::string> losses(const Config& config, const Scene& scene) {
     list.push_back("bumps are not drawn (datapath has none)");
   }
   if (config.decal == 0 && any(has_decal)) list.push_back("base colour textures are not drawn (decal = off)");
+  if (config.gloss_map == 0 && any(has_gloss)) list.push_back("gloss maps are not drawn (gloss_map = off)");
   if (config.perspective == 0 && scene.camera.perspective) {
     list.push_back("texture coordinates are not corrected for perspective (perspective = off)");
   }

@@ -7,7 +7,9 @@
 namespace wrinkle {
 namespace {
 
-constexpr std::uint64_t kTraceBefore = 200, kTraceAfter = 16;
+constexpr std::uint64_t kTraceBefore = 200, kTraceAfter = 16;  // clocks
+constexpr std::uint64_t kFragmentsBefore = 256, kFragmentsAfter = 512;
+constexpr std::uint64_t kShownBefore = 12;  // clocks of the waveform left of the cursor
 
 using Words = std::span<const std::uint64_t>;
 
@@ -149,17 +151,39 @@ bool name_stage(Difference& d, const BenchRun& run) {
   return true;
 }
 
-void write_trace(Difference& d, const BenchRun& run, Words words, std::uint64_t cycle) {
+// Golden values of the fragments that can be in flight around the first one that differs.
+ExpectedValues expected_around(const BenchRun& run, Words words, std::uint64_t fragment) {
+  ExpectedValues expected;
+  expected.first = fragment > kFragmentsBefore ? fragment - kFragmentsBefore : 0;
+  std::uint64_t number = 0;
+  const auto look = [&](const auto& batch) {
+    for (int i = 0; i < batch.count; ++i, ++number) {
+      if (number < expected.first || number > fragment + kFragmentsAfter) continue;
+      extract(batch, i, expected.fragments.emplace_back());
+    }
+  };
+  Golden(*run.config, *run.textures).draw(words, {look, look});
+  return expected;
+}
+
+// The waveform's clock is that in which the stage handed on what differs; else `cycle`.
+void write_trace(Difference& d, const BenchRun& run, Words words, const FirstDifference& first) {
   BenchOptions options = *run.options;
   options.model.trace = true;
   Model model(build_model(*run.config, options.model, options.progress), options.seed);
+  Waveform waveform(*run.config, model, expected_around(run, words, first.fragment));
   BenchRun traced = replay(run, words, model);
   traced.options = &options;
-  traced.trace_from = cycle > kTraceBefore ? cycle - kTraceBefore : 0;
-  traced.stop_after = cycle + kTraceAfter;
+  traced.tapped = true;
+  traced.waveform = &waveform;
+  traced.trace_from = first.cycle > kTraceBefore ? first.cycle - kTraceBefore : 0;
+  traced.stop_after = first.cycle + kTraceAfter;
   simulate(traced);
+  const auto stage = std::find(kStageNames.begin(), kStageNames.end(), d.stage) - kStageNames.begin();
+  const auto differs = stage < kStages ? waveform.first_difference(static_cast<Stage>(stage)) : std::nullopt;
   d.trace = options.trace;
-  d.trace_cycle = cycle;
+  d.trace_cycle = differs.value_or(first.cycle);
+  waveform.write_views(d.trace, d.trace_cycle > kShownBefore ? d.trace_cycle - kShownBefore : 0, d.trace_cycle);
 }
 
 Difference locate(const BenchRun& run, const PacketStream& stream, std::string_view frame_name) {
@@ -195,7 +219,7 @@ Difference blame(const BenchRun& run, const PacketStream& stream, std::string_vi
     again.tapped = true;
     simulate(again);
     if (!name_stage(d, again)) continue;
-    if (!run.options->trace.empty()) write_trace(d, run, words, again.first->cycle);
+    if (!run.options->trace.empty()) write_trace(d, run, words, *again.first);
     break;
   }
   return d;

@@ -181,7 +181,7 @@ class Clockwork {
       run_.differ(here(Difference::Kind::kIdle));
 
     if (cycle_ == run_.trace_from) {
-      model_.trace_open(run_.options->trace);
+      model_.trace_open(run_.options->trace, cycle_, run_.waveform->signals());
       tracing_ = true;
     }
     if (held) {
@@ -202,6 +202,7 @@ class Clockwork {
 
   void sample() {
     model_.settle(pins_);
+    if (run_.waveform != nullptr) run_.waveform->sample(cycle_, taps_.stages());
     taps_.sample();
     run_.stages = taps_.stages();
   }

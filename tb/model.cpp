@@ -30,8 +30,9 @@ Wire Model::wire(std::string_view name) const {
   return {};
 }
 
-void Model::trace_open(const std::filesystem::path& path) {
-  if (!api_->trace_open(state_, path.c_str())) {
+void Model::trace_open(const std::filesystem::path& path, std::uint64_t clock, std::span<const TraceSignal> signals) {
+  const TraceRequest request{path.c_str(), clock, signals.data(), signals.size()};
+  if (!api_->trace_open(state_, &request)) {
     throw std::runtime_error(path.string() + ": the model was built without waveforms");
   }
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "tb/pins.h"
@@ -18,6 +19,22 @@ struct Wire {
   std::size_t bytes = 0;
 };
 
+// A signal that the bench adds to a waveform beside those of the netlist.
+struct TraceSignal {
+  std::string name;           // with its scopes, divided by dots
+  int bits = 0;               // of `integer`; 0: the signal is `number`
+  std::uint64_t integer = 0;  // at the clock that is written
+  double number = 0;
+};
+
+// A waveform is a file in FST. Clock N, with the wires as they are before its edge, is N nanoseconds after its start.
+struct TraceRequest {
+  const char* path;
+  std::uint64_t clock;         // the next one
+  const TraceSignal* signals;  // stay in their place until the waveform is closed
+  std::size_t count;
+};
+
 // What a model library exports as `wrinkle_model`.
 struct ModelApi {
   void* (*create)(std::uint64_t seed);  // the seed fills every register that has no reset
@@ -25,7 +42,7 @@ struct ModelApi {
   void (*settle)(void* model, const InputPins* pins);  // inputs reach the wires, no clock edge
   void (*clock)(void* model, Pins* pins);              // inputs, one whole clock, outputs
   const Wire* (*wires)(void* model, std::size_t* count);
-  bool (*trace_open)(void* model, const char* path);  // FST; false in a model built without
+  bool (*trace_open)(void* model, const TraceRequest* request);  // false in a model built without
   void (*trace_close)(void* model);
 };
 
@@ -44,7 +61,7 @@ class Model {
   std::span<const Wire> wires() const;
   // Null data where the netlist has no such wire.
   Wire wire(std::string_view name) const;
-  void trace_open(const std::filesystem::path& path);
+  void trace_open(const std::filesystem::path& path, std::uint64_t clock, std::span<const TraceSignal> signals);
   void trace_close() { api_->trace_close(state_); }
 
  private:

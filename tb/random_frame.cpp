@@ -6,6 +6,7 @@
 
 #include "golden/triangle/corners.h"
 #include "tb/random_config.h"
+#include "tb/random_texels.h"
 #include "tb/stall.h"
 
 namespace wrinkle {
@@ -43,14 +44,11 @@ Texture random_texture(const Shape& config, Random& random) {
   texture.log2_height = random.between(0, 7);
   texture.components = config.texels;
   texture.component_bits = config.texel_bits;
-  const int bits = texture.components * texture.component_bits;
-  const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
   const int complete = std::max(texture.log2_width, texture.log2_height) + 1;
   texture.levels.resize(static_cast<std::size_t>(random.between(1, complete)));
   for (int level = 0; level <= texture.max_level(); ++level) {
-    auto& texels = texture.levels[static_cast<std::size_t>(level)];
-    texels.resize(static_cast<std::size_t>(texture.width(level)) * static_cast<std::size_t>(texture.height(level)));
-    for (auto& texel : texels) texel = random.next() & mask;
+    const int count = texture.width(level) * texture.height(level);
+    texture.levels[static_cast<std::size_t>(level)] = random_texels(texture, count, [&] { return random.next(); });
   }
   return texture;
 }
@@ -61,7 +59,7 @@ DrawState random_state(const Config& config, const Frame& frame, Random& random)
   DrawState state;
   const bool texels = !frame.textures.empty();
   state.bump = Shape(config).bump_components != 0 && texels && random.below(4) != 0;
-  state.textured = state.bump || (config.decal != 0 && texels && random.below(2) != 0);
+  state.textured = state.bump || (Shape(config).tints != 0 && texels && random.below(2) != 0);
   state.shadow = config.self_shadow != 0 && random.below(4) != 0;
   state.wrap_u = static_cast<Wrap>(random.below(3));
   state.wrap_v = static_cast<Wrap>(random.below(3));

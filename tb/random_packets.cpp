@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tb/random_texels.h"
 #include "tb/stall.h"
 
 namespace wrinkle {
@@ -45,14 +46,11 @@ Texture random_texture(const Shape& config, int number, Random& random) {
   if (random.below(2) == 0) std::swap(texture.log2_width, texture.log2_height);
   texture.components = config.texels;
   texture.component_bits = config.texel_bits;
-  const int bits = texture.components * texture.component_bits;
-  const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
   texture.levels.resize(
       static_cast<std::size_t>(random.between(1, std::max(texture.log2_width, texture.log2_height) + 1)));
   for (int level = 0; level <= texture.max_level(); ++level) {
-    auto& texels = texture.levels[static_cast<std::size_t>(level)];
-    texels.resize(static_cast<std::size_t>(texture.width(level)) * static_cast<std::size_t>(texture.height(level)));
-    for (auto& texel : texels) texel = random.next() & mask;
+    const int count = texture.width(level) * texture.height(level);
+    texture.levels[static_cast<std::size_t>(level)] = random_texels(texture, count, [&] { return random.next(); });
   }
   return texture;
 }

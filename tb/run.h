@@ -9,6 +9,7 @@
 
 #include "tb/bench.h"
 #include "tb/tap_recorder.h"
+#include "tb/waveform.h"
 
 namespace wrinkle {
 
@@ -45,7 +46,8 @@ struct BenchRun {
   const BenchSinks* sinks = nullptr;
   Model* model = nullptr;
   bool tapped = false;
-  std::uint64_t trace_from = ~std::uint64_t{0};  // clock from which a waveform is written to options->trace
+  Waveform* waveform = nullptr;                  // what is written to options->trace
+  std::uint64_t trace_from = ~std::uint64_t{0};  // from this clock on
   std::uint64_t stop_after = 0;
   // out
   std::uint64_t fragments = 0, cycles = 0, mismatches = 0, zero_vectors = 0;

@@ -119,7 +119,7 @@ class IdealShader {
       : context_(context), scene_(frame.ideal), draw_(frame.ideal.draws.at(index)), state_(frame.draws[index].state) {
     filter_ = exact::filtering(context.config, context.words);
     filter_.wrap_u = static_cast<int>(state_.wrap_u), filter_.wrap_v = static_cast<int>(state_.wrap_v);
-    filter_.bump_components = 3, filter_.colour = true;
+    filter_.bump_components = 3, filter_.colour = filter_.gloss = true;
   }
 
   void shade(const TruePoint& point, ExactFragment& fragment) const {
@@ -134,7 +134,7 @@ class IdealShader {
     light(dot(point.frame.N, fragment.l), fragment);
     const exact::Lit lit{fragment.nl, fragment.nh, fragment.diffuse, fragment.specular};
     const Material& m = state_.material;
-    fragment.colour = exact::output({m.ambient, m.diffuse, m.specular}, fragment.decal, lit);
+    fragment.colour = exact::output({m.ambient, m.diffuse, m.specular}, fragment.decal, fragment.gloss, lit);
   }
 
  private:
@@ -143,6 +143,7 @@ class IdealShader {
     fragment.lod = point.rate > 0 ? std::log2(point.rate) : 0;
     const exact::Sample texel = exact::sample(filter_, *draw_.texture, point.uv, fragment.lod);
     fragment.decal = {texel.colour[0], texel.colour[1], texel.colour[2]};
+    fragment.gloss = texel.gloss;
     return texel;
   }
 

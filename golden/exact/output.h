@@ -24,10 +24,10 @@ inline double shade(double ambient, double diffuse, double specular, double deca
   return std::clamp((ambient + diffuse * lit.diffuse) * decal + specular * lit.specular, 0.0, 1.0);
 }
 
-inline Vec3 output(const Reflectance& r, Vec3 decal, const Lit& lit) {
-  return {shade(r.ambient.x, r.diffuse.x, r.specular.x, decal.x, lit),
-          shade(r.ambient.y, r.diffuse.y, r.specular.y, decal.y, lit),
-          shade(r.ambient.z, r.diffuse.z, r.specular.z, decal.z, lit)};
+inline Vec3 output(const Reflectance& r, Vec3 decal, double gloss, const Lit& lit) {
+  return {shade(r.ambient.x, r.diffuse.x, gloss * r.specular.x, decal.x, lit),
+          shade(r.ambient.y, r.diffuse.y, gloss * r.specular.y, decal.y, lit),
+          shade(r.ambient.z, r.diffuse.z, gloss * r.specular.z, decal.z, lit)};
 }
 
 }  // namespace wrinkle::exact

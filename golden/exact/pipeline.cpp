@@ -71,6 +71,7 @@ void texture(const DrawContext& draw, const ExactTexture* texels, Fragments& bat
     const Sample texel = sample(filter, *texels, {batch.u[i], batch.v[i]}, batch.lod[i]);
     batch.bump.set(i, texel.bump);
     if (draw.config.decal != 0) batch.decal.set(i, {texel.colour[0], texel.colour[1], texel.colour[2]});
+    if (draw.config.gloss_map != 0) batch.gloss.set(i, texel.gloss);
   });
 }
 
@@ -109,7 +110,7 @@ void power(const DrawContext& draw, Fragments& batch) {
 void output(const DrawContext& draw, Fragments& batch) {
   for_each(batch, [&](std::size_t i) {
     const Lit lit{batch.nl[i], batch.nh[i], batch.diffuse[i], batch.specular[i]};
-    batch.colour.set(i, output(draw.reflectance, batch.decal[i], lit));
+    batch.colour.set(i, output(draw.reflectance, batch.decal[i], batch.gloss[i], lit));
   });
 }
 

@@ -18,18 +18,19 @@ struct Filtering {
   bool nearest = false, trilinear = false;
   int wrap_u = 0, wrap_v = 0;  // Wrap
   std::size_t bump_components = 3;
-  bool colour = false;
+  bool colour = false, gloss = false;
 };
 
 inline Filtering filtering(const Shape& config, const DrawWords& draw) {
-  return {config.filter == static_cast<int>(Filter::kNearest), config.trilinear != 0, draw.wrap_u, draw.wrap_v,
-          static_cast<std::size_t>(config.bump_components),    config.decal != 0};
+  return {config.filter == static_cast<int>(Filter::kNearest), config.trilinear != 0, draw.wrap_u,          draw.wrap_v,
+          static_cast<std::size_t>(config.bump_components),    config.decal != 0,     config.gloss_map != 0};
 }
 
 // A texel, filtered.
 struct Sample {
   BumpComponents bump{};
   std::array<double, 3> colour{};
+  double gloss = 0;
 };
 
 inline std::int64_t wrap_texel(int wrap, std::int64_t i, std::int64_t size) {
@@ -72,8 +73,9 @@ inline void sample_level(const Filtering& filter, const ExactTexture& texture, i
     const auto& texel = texels[static_cast<std::size_t>(j * texture.width(level) + i)];
     for (std::size_t k = 0; k < filter.bump_components; ++k)
       sample.bump[k] += share * static_cast<double>(texel.bump[k]);
-    if (!filter.colour) return;
-    for (std::size_t k = 0; k < 3; ++k) sample.colour[k] += share * static_cast<double>(texel.colour[k]);
+    if (filter.colour)
+      for (std::size_t k = 0; k < 3; ++k) sample.colour[k] += share * static_cast<double>(texel.colour[k]);
+    if (filter.gloss) sample.gloss += share * static_cast<double>(texel.gloss);
   };
   add(x.first, y.first, weight * (1 - x.fraction) * (1 - y.fraction));
   add(x.second, y.first, weight * x.fraction * (1 - y.fraction));

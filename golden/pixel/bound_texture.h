@@ -22,7 +22,7 @@ struct BoundTexture {
   std::array<std::int32_t, kLevels> offset{}, stride{};
   int bump_components = 0;
 
-  // The plane that component `first` begins: the bump map fills whole planes, and a base colour begins one.
+  // The plane that component `first` begins: the bump map fills whole planes, so does a base colour, and a gloss ends.
   const std::vector<std::uint32_t>& plane_of(int first) const {
     const bool is_bump = first < bump_components;
     const int before = is_bump ? first : first - bump_components;

@@ -87,7 +87,9 @@ int light_bits(const Shape& c) {
 
 int output_bits(const Shape& c) {
   const int with_decal = c.colour_bits + c.dot_bits + c.texel_bits + 3;
-  return std::max(2 * c.colour_bits + c.power_bits + 3, c.decal != 0 ? with_decal : 0);
+  const int with_gloss = c.power_bits + c.texel_bits + 2;
+  return std::max(
+      {2 * c.colour_bits + c.power_bits + 3, c.decal != 0 ? with_decal : 0, c.gloss_map != 0 ? with_gloss : 0});
 }
 
 }  // namespace

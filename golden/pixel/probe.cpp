@@ -49,6 +49,7 @@ TextureSample sample_texture(const Shape& config, const Texture& texture, Wrap w
   TextureSample sample;
   for (const auto& column : batch->texture_bump) sample.bump.push_back(column[0]);
   for (std::size_t k = 0; k < batch->texture_decal.size(); ++k) sample.decal[k] = batch->texture_decal[k][0];
+  for (const auto& column : batch->texture_gloss) sample.gloss = column[0];
   return sample;
 }
 

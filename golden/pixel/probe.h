@@ -21,6 +21,7 @@ std::int64_t rsqrt_of(int unit_bits, std::int64_t t);
 struct TextureSample {
   std::vector<std::int64_t> bump;       // as the datapath has it
   std::array<std::int64_t, 3> decal{};  // u0.T
+  std::int64_t gloss = 0;
 };
 TextureSample sample_texture(const Shape& config, const Texture& texture, Wrap wrap_u, Wrap wrap_v, std::int64_t u,
                              std::int64_t v, std::int64_t lod);

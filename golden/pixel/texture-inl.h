@@ -187,14 +187,16 @@ HWY_INLINE void sample_all(const L& l, const Constants<typename L::Int>& c, cons
                HWY_ATTR { hand_on(k + static_cast<std::size_t>(done), i, f); });
 }
 
-// A draw without texels: bump map 0, decal white.
+// A draw without texels: bump map 0, decal white, gloss full.
 template <class L>
 void texture_absent(const L& l, const Constants<typename L::Int>& c, Batch<typename L::Int>& batch) {
   const auto fill = [&](auto& column, typename L::Int value) HWY_ATTR {
     for (int i = 0; i < batch.count; i += l.size()) l.store(l.set(value), &column[static_cast<std::size_t>(i)]);
   };
   for (auto& column : batch.texture_bump) fill(column, 0);
-  for (auto& column : batch.texture_decal) fill(column, (1 << c.config.texel_bits) - 1);
+  const auto full = (typename L::Int{1} << c.config.texel_bits) - 1;
+  for (auto& column : batch.texture_decal) fill(column, full);
+  for (auto& column : batch.texture_gloss) fill(column, full);
 }
 
 // The bump map: code c stands for (2c - offset) 2^-T.
@@ -214,6 +216,16 @@ void texture_bump(const L& l, const Constants<typename L::Int>& c, const BoundTe
              });
 }
 
+// A base colour or a gloss: `components` of a texel from `first` on into columns of codes.
+template <class L, class Columns>
+HWY_INLINE void texture_codes(const L& l, const Constants<typename L::Int>& c, const BoundTexture& texture, int first,
+                              int components, Samples<typename L::Int>& s, int count, const Columns out) {
+  const int d = c.config.filter_fraction_bits;
+  sample_all(l, c, texture, first, components, count, s, [&](std::size_t k, std::size_t i, typename L::V f) HWY_ATTR {
+    l.store(round_half_up(l, f, d), &out[k][i]);
+  });
+}
+
 template <class L>
 void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) {
   const auto c = context.constants<typename L::Int>();
@@ -231,12 +243,9 @@ void texture(const L& l, const Context& context, Batch<typename L::Int>& batch) 
     l.store(levels.weight, &s.weight[i]);
   }
   if (c.config.bump_components != 0) texture_bump(l, c, *context.texture, s, batch);
-  if (c.config.decal == 0) return;
-  const int d = c.config.filter_fraction_bits;
-  const auto out = batch.texture_decal;
-  sample_all(l, c, *context.texture, c.config.bump_components, 3, batch.count, s,
-             [&](std::size_t k, std::size_t i, typename L::V f)
-                 HWY_ATTR { l.store(round_half_up(l, f, d), &out[k][i]); });
+  const int first = c.config.bump_components, last = c.config.texels - 1;
+  if (c.config.decal != 0) texture_codes(l, c, *context.texture, first, 3, s, batch.count, batch.texture_decal);
+  if (c.config.gloss_map != 0) texture_codes(l, c, *context.texture, last, 1, s, batch.count, batch.texture_gloss);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -35,6 +35,10 @@ void put(std::vector<ExactTexel>& level, const Grid<Vec3>& values, std::array<fl
   }
 }
 
+void put_gloss(std::vector<ExactTexel>& level, const Grid<Vec3>& values) {
+  for (std::size_t i = 0; i < level.size(); ++i) level[i].gloss = static_cast<float>(values.samples[i].x);
+}
+
 // Fills the words of texels with codes, from the low bits upwards.
 class CodeWriter {
  public:
@@ -58,9 +62,9 @@ class CodeWriter {
 
 }  // namespace
 
-ExactTexture assemble(const MipChain& normals, const MipChain& decal, Wraps wraps) {
+ExactTexture assemble(const MipChain& normals, const MipChain& decal, const MipChain& gloss, Wraps wraps) {
   int width = 1, height = 1;
-  for (const MipChain* chain : {&normals, &decal}) {
+  for (const MipChain* chain : {&normals, &decal, &gloss}) {
     if (chain->empty()) continue;
     width = std::max(width, chain->front().width);
     height = std::max(height, chain->front().height);
@@ -74,6 +78,7 @@ ExactTexture assemble(const MipChain& normals, const MipChain& decal, Wraps wrap
     std::vector<ExactTexel> level(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kFlat);
     if (!normals.empty()) put(level, level_of(normals, w, h, wraps), &ExactTexel::bump);
     if (!decal.empty()) put(level, level_of(decal, w, h, wraps), &ExactTexel::colour);
+    if (!gloss.empty()) put_gloss(level, level_of(gloss, w, h, wraps));
     texture.levels.push_back(std::move(level));
   }
   return texture;
@@ -100,8 +105,9 @@ Texture quantise(const ExactTexture& exact, const Shape& config) {
     for (const ExactTexel& texel : from) {
       writer.next_texel();
       for (std::size_t k = 0; k < components; ++k) writer.put(bump_code(texel.bump[k], config));
-      if (config.decal == 0) continue;
-      for (const float channel : texel.colour) writer.put(decal_code(channel, bits));
+      if (config.decal != 0)
+        for (const float channel : texel.colour) writer.put(decal_code(channel, bits));
+      if (config.gloss_map != 0) writer.put(decal_code(texel.gloss, bits));
     }
     texture.levels.push_back(std::move(level));
   }

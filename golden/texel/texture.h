@@ -40,10 +40,11 @@ struct Texture {
 };
 
 // A texel before quantisation. As a scene has it, the bump map is a normal, of unit length where it was normalized; a
-// datapath makes of it what its own texels hold. The base colour is in [0, 1].
+// datapath makes of it what its own texels hold. Base colour and gloss are in [0, 1].
 struct ExactTexel {
   std::array<float, kMaxBumpComponents> bump{};
   std::array<float, 3> colour{1, 1, 1};
+  float gloss = 1;
 
   bool operator==(const ExactTexel&) const = default;
 };

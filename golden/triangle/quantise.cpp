@@ -33,7 +33,7 @@ Vec3 to_channels(const Shape& config, Vec3 colour) {
 DrawWords quantise(const Shape& config, const DrawState& state, const std::vector<Texture>& textures) {
   DrawWords draw;
   draw.bump = state.bump && config.bump_components != 0;
-  draw.textured = draw.bump || (state.textured && config.decal != 0);
+  draw.textured = draw.bump || (state.textured && config.tints != 0);
   draw.shadow = state.shadow && config.self_shadow != static_cast<int>(SelfShadow::kOff);
   if (draw.textured) {
     if (state.texture < 0 || static_cast<std::size_t>(state.texture) >= textures.size() || state.texture >= 1 << 12) {

@@ -182,7 +182,7 @@ int FrameBuilder::map_of(const Object& object) {
 DrawState FrameBuilder::state_of(const Object& object) {
   DrawState state;
   state.bump = config_.bump_components != 0 && is_bumped(object);
-  state.textured = state.bump || (config_.decal != 0 && object.texture);
+  state.textured = state.bump || (config_.tints != 0 && object.texture);
   // The hardware takes L.z for the cosine at the unperturbed surface, which it is in tangent space alone.
   const bool in_object_space = config_.surface_is_z != 0 && state.bump && object.space == ShadingSpace::kObject;
   state.shadow = object.shadow && !in_object_space;

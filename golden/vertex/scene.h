@@ -39,7 +39,7 @@ struct Object {
   Mat4 to_world;
   ShadingSpace space = ShadingSpace::kWorld;
   Material material;
-  std::shared_ptr<const ExactTexture> texture;  // normal and decal, null for none
+  std::shared_ptr<const ExactTexture> texture;  // normal, decal and gloss, null for none
   std::shared_ptr<const HeightField> height;    // for the ideal picture
   // The field of the bump map over texture coordinates, where there is one, and its repeats over the surface: Blinn's
   // bump mapping takes its slopes.

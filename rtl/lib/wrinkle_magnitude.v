@@ -7,10 +7,8 @@ module wrinkle_magnitude #(
   input  wire [BITS:0]   value_i,
   output wire [BITS-1:0] magnitude_o
 );
-  wire            negative = value_i[BITS];
-  wire            lowest   = negative & ~|value_i[BITS-1:0];
-  wire [BITS-1:0] minus    = {BITS{1'b0}} - value_i[BITS-1:0];
+  wire [BITS:0] turned = (value_i ^ {(BITS + 1){value_i[BITS]}}) + {{BITS{1'b0}}, value_i[BITS]};
 
-  assign magnitude_o = lowest ? {BITS{1'b1}} : negative ? minus : value_i[BITS-1:0];
+  assign magnitude_o = turned[BITS-1:0] - {{(BITS - 1){1'b0}}, turned[BITS]};
 endmodule
 `default_nettype wire

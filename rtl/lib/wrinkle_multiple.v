@@ -8,8 +8,6 @@ module wrinkle_multiple #(
   input  wire [BITS-1:0] value_i,
   output wire [BITS+1:0] multiple_o
 );
-  wire [BITS+1:0] value = {2'b00, value_i};
-
-  assign multiple_o = (digit_i[1] ? value << 1 : {(BITS + 2){1'b0}}) + (digit_i[0] ? value : {(BITS + 2){1'b0}});
+  assign multiple_o = {2'b00, value_i} * {{BITS{1'b0}}, digit_i};
 endmodule
 `default_nettype wire

@@ -11,11 +11,22 @@ module wrinkle_saturate #(
 );
   localparam signed [31:0] LOW  = MINIMUM;
   localparam signed [31:0] HIGH = MAXIMUM;
-  localparam WIDE = VALUE_BITS > 32 ? VALUE_BITS + 1 : 33;
+  localparam FITS = VALUE_BITS > RESULT_BITS && VALUE_BITS <= 32 ? 1 : 0;  // the bounds do the value's width
+  localparam WIDE = FITS != 0 ? VALUE_BITS : VALUE_BITS > 32 ? VALUE_BITS + 1 : 33;
 
-  wire signed [WIDE-1:0] value = {{(WIDE - VALUE_BITS){value_i[VALUE_BITS-1]}}, value_i};
-  wire signed [WIDE-1:0] low   = {{(WIDE - 32){LOW[31]}}, LOW};
-  wire signed [WIDE-1:0] high  = {{(WIDE - 32){HIGH[31]}}, HIGH};
+  wire signed [WIDE-1:0] value, low, high;
+
+  generate
+    if (FITS != 0) begin : as_it_is
+      assign value = value_i;
+      assign low   = LOW[WIDE-1:0];
+      assign high  = HIGH[WIDE-1:0];
+    end else begin : extended
+      assign value = {{(WIDE - VALUE_BITS){value_i[VALUE_BITS-1]}}, value_i};
+      assign low   = {{(WIDE - 32){LOW[31]}}, LOW};
+      assign high  = {{(WIDE - 32){HIGH[31]}}, HIGH};
+    end
+  endgenerate
 
   assign result_o = value < low ? LOW[RESULT_BITS-1:0] : value > high ? HIGH[RESULT_BITS-1:0] : value[RESULT_BITS-1:0];
 endmodule

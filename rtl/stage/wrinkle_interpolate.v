@@ -20,7 +20,7 @@ module wrinkle_interpolate #(
 ) (
   input  wire              clk,
   input  wire              shift_i,   // word_i is of the planes part of a packet
-  input  wire              last_i,    // ... its last word
+  input  wire [WORDS-1:0]  words_i,   // single: the bit of which word it is
   input  wire [63:0]       word_i,
   input  wire              load_i,    // the walk: see wrinkle_dda
   input  wire              step_i,
@@ -32,7 +32,7 @@ module wrinkle_interpolate #(
 );
   localparam G = GUARD_BITS;
 
-  // Bits of the packet before field `field`; with FIELDS all of them.
+  // Bits of the packet before field `field`.
   function integer packet_bits_before;
     input integer field;
     integer i;
@@ -57,32 +57,15 @@ module wrinkle_interpolate #(
     end
   endfunction
 
-  localparam BITS = packet_bits_before(FIELDS);
-
-  // double: the packet is the shadow, through which its words shift. single: the packet is what the interpolators and
-  // the held fields have in their own registers. These have no bits for the padding of the last word. So the last word
-  // is written where it belongs, and the earlier ones shift down below it.
+  // double: the shadow, through which the words of a packet shift. single: each word is written where it belongs, in the
+  // registers that the interpolators and the held fields have themselves.
   wire [64*WORDS-1:0] packet;
-  wire [BITS-1:0]     fields;  // single: as each element has them; double: 0
-  wire [64*WORDS-1:0] shifts;  // single: which bits of the packet take those of `next`
-  wire [64*WORDS-1:0] next;
-  wire unused_bits = &{1'b0, last_i, packet, fields, shifts, next};
+  wire unused_bits = &{1'b0, shift_i, words_i, packet};
 
   genvar k, e;
   generate
-    for (k = 0; k < WORDS; k = k + 1) begin : word
-      assign shifts[64*k +: 64] = {64{BUFFERING != 0 && shift_i && (k == WORDS - 1 ? last_i : ~last_i)}};
-      if (k < WORDS - 2) begin : from_above
-        assign next[64*k +: 64] = packet[64*k+64 +: 64];
-      end else begin : entry
-        assign next[64*k +: 64] = word_i;
-      end
-    end
     if (BUFFERING != 0) begin : in_place
-      assign packet[BITS-1:0] = fields;
-      if (64*WORDS > BITS) begin : padding
-        assign packet[64*WORDS-1:BITS] = {(64*WORDS-BITS){1'b0}};
-      end
+      assign packet = {64*WORDS{1'b0}};
     end else begin : shadowed
       wrinkle_shadow_words #(.WORDS(WORDS)) shadow (.clk(clk), .shift_i(shift_i), .word_i(word_i), .words_o(packet));
     end
@@ -95,17 +78,17 @@ module wrinkle_interpolate #(
       for (e = 0; e < COUNT; e = e + 1) begin : element
         if (HELD[32*k +: 32] != 0) begin : held
           localparam AT = FROM + e * WIDTH;
-          wrinkle_held #(.WIDTH(WIDTH), .BUFFERING(BUFFERING)) register (
-            .clk(clk), .load_i(load_i), .take_i(span_i & first_i), .shadow_i(packet[AT +: WIDTH]),
-            .shift_i(shifts[AT +: WIDTH]), .next_i(next[AT +: WIDTH]), .fields_o(fields[AT +: WIDTH]),
-            .value_o(values_o[TO + e*WIDTH +: WIDTH]));
+          wrinkle_held #(.WIDTH(WIDTH), .BUFFERING(BUFFERING), .WORDS(WORDS), .PLACE(AT)) register (
+            .clk(clk), .load_i(load_i), .take_i(span_i & first_i), .shadow_i(packet[AT +: WIDTH]), .words_i(words_i),
+            .word_i(word_i), .value_o(values_o[TO + e*WIDTH +: WIDTH]));
         end else begin : plane
           localparam BITS_OF_PLANE = 3 * (WIDTH + G);
           localparam AT = FROM + e * BITS_OF_PLANE;
-          wrinkle_plane #(.WIDTH(WIDTH), .GUARD(G), .SHARING(SHARING), .BUFFERING(BUFFERING)) dda (
+          wrinkle_plane #(
+            .WIDTH(WIDTH), .GUARD(G), .SHARING(SHARING), .BUFFERING(BUFFERING), .WORDS(WORDS), .PLACE(AT)
+          ) dda (
             .clk(clk), .load_i(load_i), .step_i(step_i), .carry_i(carry_i), .span_i(span_i), .first_i(first_i),
-            .pixel_i(pixel_i), .shadow_i(packet[AT +: BITS_OF_PLANE]), .shift_i(shifts[AT +: BITS_OF_PLANE]),
-            .next_i(next[AT +: BITS_OF_PLANE]), .fields_o(fields[AT +: BITS_OF_PLANE]),
+            .pixel_i(pixel_i), .shadow_i(packet[AT +: BITS_OF_PLANE]), .words_i(words_i), .word_i(word_i),
             .value_o(values_o[TO + e*WIDTH +: WIDTH]));
         end
       end

@@ -25,7 +25,7 @@ module wrinkle_packet #(
   output wire [63:0] word_o,
   output wire        scan_shift_o,        // word_o is of the scan part
   output wire        plane_shift_o,       // ... of the planes part
-  output wire        plane_last_o,        // ... its last word
+  output wire [PLANE_WORDS-1:0] plane_words_o,  // ... with BUFFERING single: the bit of which word
   output wire        triangle_valid_o,
   input  wire        triangle_take_i,     // only while triangle_valid_o
   output wire        draw_bump_o,
@@ -55,6 +55,7 @@ module wrinkle_packet #(
   localparam [INDEX-1:0] LAST_WORD = LAST_OF_TRIANGLE[INDEX-1:0];
   localparam [INDEX-1:0] LAST_DRAW = LAST_OF_DRAW[INDEX-1:0];
   localparam [INDEX-1:0] FIRST     = 1;
+  localparam [PLANE_WORDS-1:0] FIRST_PLANE = 1;
   localparam C1 = COLOUR_BITS + 1;
 
   wire        load, spare, word_valid, word_ready;
@@ -82,7 +83,8 @@ module wrinkle_packet #(
   assign word_o           = word;
   assign scan_shift_o     = triangle & ~scan_done;
   assign plane_shift_o    = triangle & scan_done;
-  assign plane_last_o     = index_q == LAST_WORD;
+  assign plane_words_o    = BUFFERING != 0 && plane_shift_o ? FIRST_PLANE << (index_q - FIRST - LAST_SCAN)
+                                                            : {PLANE_WORDS{1'b0}};
   assign triangle_valid_o = loaded_q;
   assign busy_o           = word_valid | ~opcode | loaded_q;
 
@@ -102,20 +104,18 @@ module wrinkle_packet #(
       end
     end
 
-  // Draw state: only what the configuration has.
-  wire take_flags    = take & is_draw;
-  wire take_ambient  = take & in_draw_q & index_q == 1;
-  wire take_diffuse  = take & in_draw_q & index_q == 2;
+  // Draw state: only what the configuration has. What is rare is asked in two steps, the first of which mostly says no.
+  wire take_flags = take & is_draw;
+  wire take_draw  = take & in_draw_q;
+
+  function [COUNT*C1-1:0] colour;
+    input [63:0] channels;
+    integer i;
+    for (i = 0; i < COUNT; i = i + 1) colour[i*C1 +: C1] = channels[16*i +: C1];
+  endfunction
 
   reg [COUNT*C1-1:0] ambient_q, diffuse_q;
   reg                shadow_q;
-  wire [COUNT*C1-1:0] colour;
-  genvar k;
-  generate
-    for (k = 0; k < COUNT; k = k + 1) begin : channel
-      assign colour[k*C1 +: C1] = word[16*k +: C1];
-    end
-  endgenerate
 
   assign draw_ambient_o = ambient_q;
   assign draw_diffuse_o = diffuse_q;
@@ -123,8 +123,10 @@ module wrinkle_packet #(
 
   always @(posedge clk) begin
     if (take_flags) shadow_q <= word[6];
-    if (take_ambient) ambient_q <= colour;
-    if (take_diffuse) diffuse_q <= colour;
+    if (take_draw) begin
+      if (index_q == 1) ambient_q <= colour(word);
+      if (index_q == 2) diffuse_q <= colour(word);
+    end
   end
 
   generate
@@ -137,7 +139,7 @@ module wrinkle_packet #(
       assign draw_squarings_o     = squarings_q;
       always @(posedge clk) begin
         if (take_flags) {squarings_q, exponent_zero_q} <= {word[39:36], word[7]};
-        if (take & in_draw_q & index_q == 3) specular_q <= colour;
+        if (take_draw) if (index_q == 3) specular_q <= colour(word);
       end
     end else begin : without_specular
       assign draw_specular_o      = {COUNT*C1{1'b0}};
@@ -147,11 +149,11 @@ module wrinkle_packet #(
     if (CONSTANT != 0) begin : with_light_vectors
       reg [CONSTANT-1:0] l_q;
       assign draw_l_o = l_q;
-      always @(posedge clk) if (take & in_draw_q & index_q == 4) l_q <= word[CONSTANT-1:0];
+      always @(posedge clk) if (take_draw) if (index_q == 4) l_q <= word[CONSTANT-1:0];
       if (GLOSSY != 0) begin : with_h
         reg [CONSTANT-1:0] h_q;
         assign draw_h_o = h_q;
-        always @(posedge clk) if (take & in_draw_q & index_q == 5) h_q <= word[CONSTANT-1:0];
+        always @(posedge clk) if (take_draw) if (index_q == 5) h_q <= word[CONSTANT-1:0];
       end else begin : without_h
         assign draw_h_o = 1'b0;
       end

@@ -1,9 +1,9 @@
 `default_nettype none
 // Texture: address, fetch, filter, decoding. A wire where no part of the configuration reads texels. A texel has the
-// components of a bump map, then those of a colour; wrinkle_texture_filter says how a bump is decoded.
+// components of a bump map, then those of a colour, then a gloss; wrinkle_texture_filter says how a bump is decoded.
 // Latency 2 to the request, the memory's own, then 2 (nearest), 3 (bilinear) or 4 (trilinear); waiting fragments stand
 // in a buffer of 2^TEXTURE_FIFO_BITS, which also cuts the ready chain. Requests and responses are in order, one per
-// fragment; a draw that is not `textured` sends none and gets a bump of 0 and a white decal. Does not cache.
+// fragment; a draw that is not `textured` sends none and gets a bump of 0, a white decal and full gloss. Does not cache.
 module wrinkle_texture #(
   parameter BUMP_COMPONENTS   = 3,
   parameter BUMP_WIDTH        = 11,   // bits of a component, decoded
@@ -11,6 +11,7 @@ module wrinkle_texture #(
   parameter BUMP_OFFSET       = 255,  // code 2c - offset
   parameter BUMP_SATURATES    = 0,
   parameter COLOURS           = 0,    // components of the decal
+  parameter TEXELS            = 3,    // components of a texel; one more than those of bump and decal is the gloss
   parameter FILTER            = 2,
   parameter UV_INTEGER_BITS   = 4,
   parameter UV_BITS           = 18,
@@ -31,32 +32,32 @@ module wrinkle_texture #(
   input  wire [11:0] draw_texture_i,
   input  wire        in_valid_i,
   output wire        in_ready_o,
-  input  wire [(BUMP_COMPONENTS + COLOURS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] u_i,          // s(UI-1).UF
-  input  wire [(BUMP_COMPONENTS + COLOURS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] v_i,
-  input  wire [(BUMP_COMPONENTS + COLOURS != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_i,  // s5.LB
+  input  wire [(TEXELS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] u_i,          // s(UI-1).UF
+  input  wire [(TEXELS != 0 ? UV_INTEGER_BITS + UV_BITS : 1)-1:0] v_i,
+  input  wire [(TEXELS != 0 ? (FILTER == 2 ? 6 + LOD_BITS : 6) : 1)-1:0] lod_i,  // s5.LB
   input  wire [CARRY-1:0] carry_i,
   output wire        texel_request_valid_o,
   input  wire        texel_request_ready_i,
-  output wire [(BUMP_COMPONENTS + COLOURS != 0 ? 64 : 1)-1:0]                texel_request_a_o,
-  output wire [(BUMP_COMPONENTS + COLOURS != 0 && FILTER == 2 ? 64 : 1)-1:0] texel_request_b_o,
+  output wire [(TEXELS != 0 ? 64 : 1)-1:0]                texel_request_a_o,
+  output wire [(TEXELS != 0 && FILTER == 2 ? 64 : 1)-1:0] texel_request_b_o,
   input  wire        texel_response_valid_i,
   output wire        texel_response_ready_o,
-  input  wire [(BUMP_COMPONENTS + COLOURS != 0 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] texel_a00_i,
-  input  wire [(FILTER > 0 && BUMP_COMPONENTS + COLOURS != 0 ? (BUMP_COMPONENTS+COLOURS)*TEXEL_BITS : 1)-1:0] texel_a10_i,
-  input  wire [(FILTER > 0 && BUMP_COMPONENTS + COLOURS != 0 ? (BUMP_COMPONENTS+COLOURS)*TEXEL_BITS : 1)-1:0] texel_a01_i,
-  input  wire [(FILTER > 0 && BUMP_COMPONENTS + COLOURS != 0 ? (BUMP_COMPONENTS+COLOURS)*TEXEL_BITS : 1)-1:0] texel_a11_i,
-  input  wire [(FILTER > 1 && BUMP_COMPONENTS + COLOURS != 0 ? (BUMP_COMPONENTS+COLOURS)*TEXEL_BITS : 1)-1:0] texel_b00_i,
-  input  wire [(FILTER > 1 && BUMP_COMPONENTS + COLOURS != 0 ? (BUMP_COMPONENTS+COLOURS)*TEXEL_BITS : 1)-1:0] texel_b10_i,
-  input  wire [(FILTER > 1 && BUMP_COMPONENTS + COLOURS != 0 ? (BUMP_COMPONENTS+COLOURS)*TEXEL_BITS : 1)-1:0] texel_b01_i,
-  input  wire [(FILTER > 1 && BUMP_COMPONENTS + COLOURS != 0 ? (BUMP_COMPONENTS+COLOURS)*TEXEL_BITS : 1)-1:0] texel_b11_i,
+  input  wire [(TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_a00_i,
+  input  wire [(FILTER > 0 && TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_a10_i,
+  input  wire [(FILTER > 0 && TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_a01_i,
+  input  wire [(FILTER > 0 && TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_a11_i,
+  input  wire [(FILTER > 1 && TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_b00_i,
+  input  wire [(FILTER > 1 && TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_b10_i,
+  input  wire [(FILTER > 1 && TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_b01_i,
+  input  wire [(FILTER > 1 && TEXELS != 0 ? TEXELS*TEXEL_BITS : 1)-1:0] texel_b11_i,
   output wire        out_valid_o,
   input  wire        out_ready_i,
   output wire [(BUMP_COMPONENTS != 0 ? BUMP_COMPONENTS*BUMP_WIDTH : 1)-1:0] bump_o,  // first component in the low bits
   output wire [(COLOURS != 0 ? COLOURS*TEXEL_BITS : 1)-1:0]                decal_o, // u0.T, red in the low bits
+  output wire [(TEXELS != BUMP_COMPONENTS + COLOURS ? TEXEL_BITS : 1)-1:0] gloss_o, // u0.T
   output wire [CARRY-1:0] carry_o,
   output wire        busy_o
 );
-  localparam TEXELS = BUMP_COMPONENTS + COLOURS;
   localparam B    = FILTER == 0 ? 0 : WEIGHT_BITS;
   localparam LB   = FILTER == 2 ? LOD_BITS : 0;
   localparam BW   = B > 0 ? B : 1;
@@ -106,13 +107,13 @@ module wrinkle_texture #(
         .out_ready_i(out_ready_i), .busy_o(filter_busy));
       wrinkle_texture_filter #(
         .BUMP_COMPONENTS(BUMP_COMPONENTS), .BUMP_WIDTH(BUMP_WIDTH), .BUMP_FRACTION(BUMP_FRACTION),
-        .BUMP_OFFSET(BUMP_OFFSET), .BUMP_SATURATES(BUMP_SATURATES), .COLOURS(COLOURS), .FILTER(FILTER), .LOD_BITS(LB),
-        .WEIGHT_BITS(B), .TEXEL_BITS(TEXEL_BITS)
+        .BUMP_OFFSET(BUMP_OFFSET), .BUMP_SATURATES(BUMP_SATURATES), .COLOURS(COLOURS), .TEXELS(TEXELS), .FILTER(FILTER),
+        .LOD_BITS(LB), .WEIGHT_BITS(B), .TEXEL_BITS(TEXEL_BITS)
       ) filter (
         .clk(clk), .advance_i(filter_advance), .textured_i(draw_textured_i), .weights_i(weights_waiting),
         .a00_i(texel_a00_i), .a10_i(texel_a10_i), .a01_i(texel_a01_i), .a11_i(texel_a11_i),
         .b00_i(texel_b00_i), .b10_i(texel_b10_i), .b01_i(texel_b01_i), .b11_i(texel_b11_i),
-        .bump_o(bump_o), .decal_o(decal_o));
+        .bump_o(bump_o), .decal_o(decal_o), .gloss_o(gloss_o));
 
       wrinkle_carry #(
         .BITS(CARRY), .RANKS(2), .BUFFER_BITS(TEXTURE_FIFO_BITS), .LATE_RANKS(RANKS)
@@ -135,6 +136,7 @@ module wrinkle_texture #(
       assign out_valid_o = in_valid_i;
       assign bump_o      = 1'b0;
       assign decal_o     = 1'b0;
+      assign gloss_o     = 1'b0;
       assign carry_o     = carry_i;
       assign busy_o      = 1'b0;
     end

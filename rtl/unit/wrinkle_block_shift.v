@@ -8,12 +8,28 @@ module wrinkle_block_shift #(
   output wire [3*BITS-1:0] m_o,
   output wire              zero_o
 );
-  wire [BITS-1:0] any = m_i[0 +: BITS] | m_i[BITS +: BITS] | m_i[2*BITS +: BITS];
-  wire [4:0]      places;
+  localparam STAGES = BITS > 16 ? 5 : BITS > 8 ? 4 : 3;
 
-  wrinkle_leading_zeros #(.BITS(BITS)) zeros (.value_i(any), .count_o(places));
+  // All three move as one vector, since only zeros leave one for the next.
+  genvar s;
+  generate
+    for (s = 0; s <= STAGES; s = s + 1) begin : stages
+      wire [3*BITS-1:0] m;
+      wire [BITS-1:0]   any;
+      if (s == 0) begin : first
+        assign m   = m_i;
+        assign any = m_i[0 +: BITS] | m_i[BITS +: BITS] | m_i[2*BITS +: BITS];
+      end else begin : next
+        localparam HOP = 1 << (STAGES - s);
+        wire move = ~|stages[s-1].any[BITS-1 -: HOP];
+        assign m   = move ? stages[s-1].m << HOP : stages[s-1].m;
+        assign any = move ? stages[s-1].any << HOP : stages[s-1].any;
+      end
+    end
+  endgenerate
 
-  assign m_o    = {m_i[2*BITS +: BITS] << places, m_i[BITS +: BITS] << places, m_i[0 +: BITS] << places};
-  assign zero_o = ~|any;
+  assign m_o    = stages[STAGES].m;
+  assign zero_o = ~stages[STAGES].any[BITS-1];
+  wire unused_bits = &{1'b0, stages[STAGES].any};
 endmodule
 `default_nettype wire

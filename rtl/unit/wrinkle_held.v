@@ -5,15 +5,16 @@
 // register, and stays until the last pixel. Latency 0 from its registers.
 module wrinkle_held #(
   parameter WIDTH     = 9,
-  parameter BUFFERING = 0
+  parameter BUFFERING = 0,
+  parameter WORDS     = 3,
+  parameter PLACE     = 0  // of its part of the packet in the planes part
 ) (
   input  wire             clk,
   input  wire             load_i,    // the row engine takes the packet
   input  wire             take_i,    // the pixel engine takes its first row
   input  wire [WIDTH-1:0] shadow_i,  // double: this part of the shadow
-  input  wire [WIDTH-1:0] shift_i,   // single: which bits of it take those of next_i
-  input  wire [WIDTH-1:0] next_i,
-  output wire [WIDTH-1:0] fields_o,  // ... and what is there; double: 0
+  input  wire [WORDS-1:0] words_i,   // single: the bit of a word of the planes part, which word_i is
+  input  wire [63:0]      word_i,
   output wire [WIDTH-1:0] value_o
 );
   reg [WIDTH-1:0] value_q;
@@ -22,12 +23,12 @@ module wrinkle_held #(
   generate
     if (BUFFERING != 0) begin : single
       wire unused_pins = &{1'b0, load_i, take_i, shadow_i};
-      assign fields_o = value_q;
-      always @(posedge clk) value_q <= (shift_i & next_i) | (~shift_i & value_q);
+      localparam BITS = WIDTH;
+`include "wrinkle_written.vh"
+      always @(posedge clk) if (|words_i) value_q <= written(value_q, PLACE, {1'b0, words_i}, word_i);
     end else begin : double
       reg [WIDTH-1:0] row_value_q;
-      wire unused_pins = &{1'b0, shift_i, next_i};
-      assign fields_o = {WIDTH{1'b0}};
+      wire unused_pins = &{1'b0, words_i, word_i};
       always @(posedge clk) begin
         if (load_i) row_value_q <= shadow_i;
         if (take_i) value_q <= row_value_q;

@@ -3,10 +3,11 @@
 //   base   = (A << DF) + D * diffuse;  with decal base = round_half_up(base * (decal + (decal >> (T-1))), T)
 //   sum    = (base << (PF - DF)) + S * specular
 //   colour = saturate(round_half_up(sum * (2^C - 1), C + PF))
-// Without a highlight PF is taken as DF, which changes no bit. Latency 3, with decal 4.
+// Without a highlight PF is taken as DF, which changes no bit. Latency 3, with decal or gloss 4.
 module wrinkle_shade #(
   parameter GLOSSY      = 1,
   parameter DECAL       = 0,
+  parameter GLOSS_MAP   = 0,   // 1: the highlight comes a clock after the rest
   parameter TEXEL_BITS  = 8,   // T
   parameter DOT_BITS    = 10,  // DF
   parameter POWER_BITS  = 12,  // PF
@@ -51,6 +52,11 @@ module wrinkle_shade #(
           tint_q  <= {1'b0, decal_i} + {{TEXEL_BITS{1'b0}}, decal_i[TEXEL_BITS-1]};
           base2_q <= rounded;
         end
+    end else if (GLOSS_MAP != 0) begin : in_step
+      reg [BASE-1:0] base2_q;
+      wire unused_pins = decal_i;
+      assign base = base2_q;
+      always @(posedge clk) if (advance_i) base2_q <= base1_q;
     end else begin : plain
       wire unused_pins = decal_i;
       assign base = base1_q;
@@ -64,7 +70,7 @@ module wrinkle_shade #(
       wire [C+PF+1:0] product, late;
       wrinkle_multiply_unsigned #(.A_BITS(C + 1), .B_BITS(PF + 1)) multiply_specular (
         .a_i(specular_colour_i), .b_i(specular_i), .product_o(product));
-      wrinkle_delay #(.WIDTH(C + PF + 2), .RANKS(DECAL != 0 ? 2 : 1)) delay (
+      wrinkle_delay #(.WIDTH(C + PF + 2), .RANKS(DECAL != 0 && GLOSS_MAP == 0 ? 2 : 1)) delay (
         .clk(clk), .advance_i(advance_i), .data_i(product), .data_o(late));
       always @(posedge clk)
         if (advance_i) sum_q <= {1'b0, base, {(PF - DOT_BITS){1'b0}}} + {2'b00, late};
@@ -79,8 +85,8 @@ module wrinkle_shade #(
   wire [C-1:0]     colour;
   reg [C-1:0]      colour_q;
   wire signed [C+4:0] rounded_codes;
-  wrinkle_round_half_up #(.VALUE_BITS(SUM + C), .SHIFT(C + PF), .RESULT_BITS(C + 5)) round_codes (
-    .value_i(codes), .result_o(rounded_codes));
+  wrinkle_round_half_up #(.VALUE_BITS(SUM + C + 1), .SHIFT(C + PF), .RESULT_BITS(C + 5)) round_codes (
+    .value_i({1'b0, codes}), .result_o(rounded_codes));
   wrinkle_saturate #(.VALUE_BITS(C + 5), .RESULT_BITS(C), .MINIMUM(0), .MAXIMUM((1 << C) - 1)) saturate (
     .value_i(rounded_codes), .result_o(colour));
 

@@ -1,10 +1,10 @@
 `default_nettype none
 // Filters every component of the texels to f in uT.D, then decodes: the components of the bump map, the first ones, to
-// BUMP_FRACTION bits, those of the decal to u0.T.
+// BUMP_FRACTION bits, those of the decal and the gloss behind them to u0.T.
 //   bump = round_half_up(2f - BUMP_OFFSET 2^D, D + T - BUMP_FRACTION), with BUMP_SATURATES to BUMP_WIDTH bits
-//   decal = round_half_up(f, D)
-// A bump is at most 1 and a decal at most 2^T - 1, so that only a bump without an integer bit can leave its format.
-// Latency FILTER + 2. Without texels (`textured_i` off) the bump is 0 and the decal white.
+//   decal, gloss = round_half_up(f, D)
+// A bump is at most 1, a decal or gloss at most 2^T - 1, so that only a bump without an integer bit can leave its format.
+// Latency FILTER + 2. Without texels (`textured_i` off) the bump is 0, the decal white, the gloss full.
 module wrinkle_texture_filter #(
   parameter BUMP_COMPONENTS = 3,
   parameter BUMP_WIDTH      = 11,
@@ -12,6 +12,7 @@ module wrinkle_texture_filter #(
   parameter BUMP_OFFSET     = 255,
   parameter BUMP_SATURATES  = 0,
   parameter COLOURS         = 0,
+  parameter TEXELS          = 3,
   parameter FILTER          = 2,
   parameter LOD_BITS        = 5,  // LB, 0 unless trilinear
   parameter WEIGHT_BITS     = 8,  // B, 0 with nearest
@@ -21,20 +22,20 @@ module wrinkle_texture_filter #(
   input  wire advance_i,
   input  wire textured_i,
   input  wire [(FILTER == 2 ? 4 : 2)*(WEIGHT_BITS > 0 ? WEIGHT_BITS : 1)+(LOD_BITS > 0 ? LOD_BITS : 1)-1:0] weights_i,
-  input  wire [(BUMP_COMPONENTS + COLOURS)*TEXEL_BITS-1:0]                    a00_i,
-  input  wire [(FILTER > 0 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] a10_i,
-  input  wire [(FILTER > 0 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] a01_i,
-  input  wire [(FILTER > 0 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] a11_i,
-  input  wire [(FILTER > 1 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] b00_i,
-  input  wire [(FILTER > 1 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] b10_i,
-  input  wire [(FILTER > 1 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] b01_i,
-  input  wire [(FILTER > 1 ? (BUMP_COMPONENTS + COLOURS)*TEXEL_BITS : 1)-1:0] b11_i,
+  input  wire [TEXELS*TEXEL_BITS-1:0]                    a00_i,
+  input  wire [(FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] a10_i,
+  input  wire [(FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] a01_i,
+  input  wire [(FILTER > 0 ? TEXELS*TEXEL_BITS : 1)-1:0] a11_i,
+  input  wire [(FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] b00_i,
+  input  wire [(FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] b10_i,
+  input  wire [(FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] b01_i,
+  input  wire [(FILTER > 1 ? TEXELS*TEXEL_BITS : 1)-1:0] b11_i,
   output wire [(BUMP_COMPONENTS != 0 ? BUMP_COMPONENTS*BUMP_WIDTH : 1)-1:0] bump_o,
-  output wire [(COLOURS != 0 ? COLOURS*TEXEL_BITS : 1)-1:0]                decal_o
+  output wire [(COLOURS != 0 ? COLOURS*TEXEL_BITS : 1)-1:0]                decal_o,
+  output wire [(TEXELS != BUMP_COMPONENTS + COLOURS ? TEXEL_BITS : 1)-1:0]  gloss_o
 );
   localparam T  = TEXEL_BITS;
   localparam W  = BUMP_WIDTH;
-  localparam TEXELS = BUMP_COMPONENTS + COLOURS;
   localparam BW = WEIGHT_BITS > 0 ? WEIGHT_BITS : 1;
   localparam LW = LOD_BITS > 0 ? LOD_BITS : 1;
   localparam LEVELS = FILTER == 2 ? 2 : 1;
@@ -109,12 +110,16 @@ module wrinkle_texture_filter #(
         always @(posedge clk) if (advance_i) bump_q <= textured_i ? value : {W{1'b0}};
       end else begin : colour
         wire signed [T:0] rounded;
-        reg [T-1:0]       decal_q;
+        reg [T-1:0]       tint_q;
         wire unused_sign = rounded[T];
         wrinkle_round_half_up #(.VALUE_BITS(T + D + 1), .SHIFT(D), .RESULT_BITS(T + 1)) round (
           .value_i({1'b0, f}), .result_o(rounded));
-        assign decal_o[(k-BUMP_COMPONENTS)*T +: T] = decal_q;
-        always @(posedge clk) if (advance_i) decal_q <= textured_i ? rounded[T-1:0] : {T{1'b1}};
+        always @(posedge clk) if (advance_i) tint_q <= textured_i ? rounded[T-1:0] : {T{1'b1}};
+        if (k < BUMP_COMPONENTS + COLOURS) begin : decal
+          assign decal_o[(k-BUMP_COMPONENTS)*T +: T] = tint_q;
+        end else begin : gloss
+          assign gloss_o = tint_q;
+        end
       end
     end
     if (BUMP_COMPONENTS == 0) begin : no_bump
@@ -122,6 +127,9 @@ module wrinkle_texture_filter #(
     end
     if (COLOURS == 0) begin : no_decal
       assign decal_o = 1'b0;
+    end
+    if (TEXELS == BUMP_COMPONENTS + COLOURS) begin : no_gloss
+      assign gloss_o = 1'b0;
     end
   endgenerate
 endmodule

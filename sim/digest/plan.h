@@ -8,8 +8,8 @@
 namespace wrinkle {
 
 // Every named configuration with the paper's patch by Fig. 1, 5 and 6, the teapot and a frame of random triangles; and
-// a hundred random configurations, eight more with `sharing` and eight with `normalize_order = after`, each with a
-// frame of random triangles.
+// a hundred random configurations, eight more with `sharing`, eight with `normalize_order = after` and sixteen with a
+// gloss map, each with a frame of random triangles.
 std::vector<DigestFrame> planned_frames();
 
 }  // namespace wrinkle

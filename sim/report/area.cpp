@@ -156,7 +156,7 @@ AreaReport measure_shading(const std::string& name, const Config& config, const 
   AreaOptions stage = options;
   stage.flat = false;
   Config bare = config;
-  bare.depth = bare.decal = 0;
+  bare.depth = bare.decal = bare.gloss_map = 0;
   stage.stages = {"perturb", "normalize", "light"};
   AreaReport report = measure_area(name, bare, stage);
   bare.datapath = static_cast<int>(Datapath::kPhong);

@@ -50,8 +50,8 @@ AreaReport measure_area(const std::string& name, const Config& config, const Are
 
 // What shades by [Peercy97 fig. 3], or by fig. 1 with datapath = phong, and nothing else: interpolators of N, L and H,
 // multiplexer, normalization, dot products and power, with x and y carried along. `interpolate` of the configuration
-// without texture, decal and depth; `perturb`, `normalize`, `light` without decal and depth. Two stages at a time.
-// Throws std::invalid_argument for another datapath.
+// without texture, decal, gloss and depth; `perturb`, `normalize`, `light` without decal, gloss and depth. Two stages
+// at a time. Throws std::invalid_argument for another datapath.
 AreaReport measure_shading(const std::string& name, const Config& config, const AreaOptions& options);
 
 // [Peercy97 fig. 1, 2 and 3] with everything around them alike: packets, scan, interpolation, normalization, light and
@@ -69,6 +69,9 @@ struct NormalizerArea {
   int unit_bits;  // F
   SynthesisResult result;
 };
+
+// Widths that are measured.
+const std::vector<int> kNormalizerWidths{8, 9, 10, 12, 16};
 
 // Every kind but `none`, at every F given.
 std::vector<NormalizerArea> measure_normalizers(const std::vector<int>& unit_bits, const AreaOptions& options);

@@ -36,6 +36,26 @@ FpgaCells count_fpga_cells(const SynthesisResult& result) {
   return cells;
 }
 
+FpgaStage measure_fpga(const Config& config, const std::string& stage, CellLibrary library, bool place,
+                       const SynthesisProgress& progress) {
+  const auto [module, values] = stage_module(stage, config);
+  SynthesisOptions options;
+  FpgaStage found{cell_library_name(library), stage, {}, synthesise(module, values, library, options, progress), "-"};
+  found.cells = count_fpga_cells(found.result);
+  if (place && library == CellLibrary::kIce40 && found.cells.luts > 0 && may_fit(found.cells)) {
+    options.place_and_route = true;
+    try {
+      found.result = synthesise(module, values, library, options, progress);
+      found.placed = fmt::format("{:.1f}", found.result.critical_path_ns);
+    } catch (const NetlistDiffers&) {
+      throw;
+    } catch (const SynthesisError&) {
+      found.placed = "too large";
+    }
+  }
+  return found;
+}
+
 nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>& stages, bool place,
                             const SynthesisProgress& progress) {
   nlohmann::json rows = nlohmann::json::array();
@@ -43,37 +63,29 @@ nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>
   if (stages.empty()) names.push_back("core");
   fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10} {:>7}\n", "FPGA", "stage", "LUTs", "FFs", "carries",
              "multipliers", "memories", "placed ns", "equal");
-  for (const CellLibrary library : {CellLibrary::kIce40, CellLibrary::kEcp5, CellLibrary::kXilinx}) {
+  for (const CellLibrary library : kFpgas) {
     for (const std::string& name : names) {
-      const auto [module, values] = stage_module(name, config);
-      SynthesisOptions options;
-      SynthesisResult result = synthesise(module, values, library, options, progress);
-      const FpgaCells cells = count_fpga_cells(result);
-      std::string placed = "-";
-      if (place && library == CellLibrary::kIce40 && cells.luts > 0 && may_fit(cells)) {
-        options.place_and_route = true;
-        try {
-          result = synthesise(module, values, library, options, progress);
-          placed = fmt::format("{:.1f}", result.critical_path_ns);
-        } catch (const SynthesisError&) {
-          placed = "too large";
-        }
-      }
-      fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10} {:>7}\n", cell_library_name(library), name,
-                 cells.luts, cells.flip_flops, cells.carries, cells.multipliers, cells.memories, placed,
-                 result.checked.clocks);
-      rows.push_back({{"library", cell_library_name(library)},
-                      {"stage", name},
-                      {"luts", cells.luts},
-                      {"flip_flops", cells.flip_flops},
-                      {"carries", cells.carries},
-                      {"multipliers", cells.multipliers},
-                      {"memories", cells.memories},
-                      {"placed_ns", result.critical_path_ns},
-                      {"checked", to_json(result.checked)}});
+      const FpgaStage stage = measure_fpga(config, name, library, place, progress);
+      const FpgaCells& cells = stage.cells;
+      fmt::print("{:<8} {:<12} {:>7} {:>7} {:>8} {:>12} {:>9} {:>10} {:>7}\n", stage.library, name, cells.luts,
+                 cells.flip_flops, cells.carries, cells.multipliers, cells.memories, stage.placed,
+                 stage.result.checked.clocks);
+      rows.push_back(to_json(stage));
     }
   }
   return rows;
+}
+
+nlohmann::json to_json(const FpgaStage& stage) {
+  return {{"library", stage.library},
+          {"stage", stage.stage},
+          {"luts", stage.cells.luts},
+          {"flip_flops", stage.cells.flip_flops},
+          {"carries", stage.cells.carries},
+          {"multipliers", stage.cells.multipliers},
+          {"memories", stage.cells.memories},
+          {"placed_ns", stage.result.critical_path_ns},
+          {"checked", to_json(stage.result.checked)}};
 }
 
 }  // namespace wrinkle

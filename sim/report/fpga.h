@@ -16,6 +16,19 @@ struct FpgaCells {
 };
 FpgaCells count_fpga_cells(const SynthesisResult& result);
 
+// One stage on one FPGA, or `core`, the whole. With `place`, an iCE40 design that an UP5K holds is placed and routed.
+struct FpgaStage {
+  std::string library, stage;
+  FpgaCells cells;
+  SynthesisResult result;
+  std::string placed;  // ns
+};
+FpgaStage measure_fpga(const Config& config, const std::string& stage, CellLibrary library, bool place,
+                       const SynthesisProgress& progress);
+nlohmann::json to_json(const FpgaStage& stage);
+
+constexpr CellLibrary kFpgas[] = {CellLibrary::kIce40, CellLibrary::kEcp5, CellLibrary::kXilinx};
+
 // Prints a table and gives the same as an array of {library, stage, luts, flip_flops, carries, multipliers, memories,
 // placed_ns}. `stages` empty: all, and the whole. With `place`, iCE40 designs that an UP5K holds are placed and routed.
 nlohmann::json measure_fpga(const Config& config, const std::vector<std::string>& stages, bool place,

@@ -38,7 +38,8 @@ void GoldenReals::add(const Shape& config, const Value& value, std::size_t index
     const auto first = std::size_t(value.first_element);
     for (std::size_t k = 0; k < std::size_t(value.elements); ++k) {
       Element element{target.numbers, first + k, index, k, std::ldexp(1.0, -value.fraction_bits)};
-      if (value.name == "decal") element.factor = full_scale(config.texel_bits), element.textured_only = true;
+      if (value.name == "decal" || value.name == "gloss")
+        element.factor = full_scale(config.texel_bits), element.textured_only = true;
       if (value.name == "colour") element.factor = full_scale(config.colour_bits);
       if (config.normalizes_after != 0 && value.stage == "normalize") {
         const auto is_scale = [](const Value& v) { return v.stage == "normalize" && v.name == "scale"; };

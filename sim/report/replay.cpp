@@ -32,7 +32,8 @@ void for_each_column(const Shape& config, Part part, Visit&& visit) {
     case Part::kTexel:
     case Part::kFilter:
       only(config.bump_components != 0, &Fragments::bump);
-      return only(config.decal != 0, &Fragments::decal);
+      only(config.decal != 0, &Fragments::decal);
+      return only(config.gloss_map != 0, &Fragments::gloss);
     case Part::kPerturb:
       return only(config.normal_width != 0, &Fragments::perturbed_n);
     case Part::kNormalize:
@@ -83,8 +84,10 @@ ExactTexture decoded(const Shape& config, const Texture& texture) {
         const auto code = double(texture.code(level, i, c));
         if (c < bumps) {
           texels[i].bump[std::size_t(c)] = float((code - zero) / half);
-        } else {
+        } else if (c < bumps + config.colours) {
           texels[i].colour[std::size_t(c - bumps)] = float(code / mask);
+        } else {
+          texels[i].gloss = float(code / mask);
         }
       }
     }

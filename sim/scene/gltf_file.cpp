@@ -212,9 +212,10 @@ void note_extensions(const json& value, const std::string& pointer, const GltfFi
 }  // namespace
 
 bool is_applied_extension(const std::string& name) {
-  constexpr std::array kApplied = {"KHR_lights_punctual"sv,   "KHR_mesh_quantization"sv,
-                                   "KHR_texture_transform"sv, "KHR_materials_pbrSpecularGlossiness"sv,
-                                   "EXT_texture_webp"sv,      "MSFT_texture_dds"sv};
+  constexpr std::array kApplied = {"KHR_lights_punctual"sv,    "KHR_mesh_quantization"sv,
+                                   "KHR_texture_transform"sv,  "KHR_materials_pbrSpecularGlossiness"sv,
+                                   "KHR_materials_specular"sv, "EXT_texture_webp"sv,
+                                   "MSFT_texture_dds"sv};
   return std::find(kApplied.begin(), kApplied.end(), name) != kApplied.end();
 }
 
@@ -275,22 +276,27 @@ std::string embedded_image(const GltfFile& file, std::size_t image, const Place&
   return std::move(data.bytes);
 }
 
+// `read` takes a path, or bytes and their place.
+template <class Read>
+Image read_by(const GltfFile& file, int image, const Read& read) {
+  const auto at = static_cast<std::size_t>(image);
+  const Place place = file.place("/images/" + std::to_string(image) + "/uri");
+  const std::string bytes = embedded_image(file, at, place);
+  return bytes.empty() ? read(find_uri(file.path.parent_path(), file.images[at].uri, place)) : read(bytes, place);
+}
+
 }  // namespace
 
 Image read_gltf_image(const GltfFile& file, int image) {
-  const auto at = static_cast<std::size_t>(image);
-  const Place place = file.place("/images/" + std::to_string(image) + "/uri");
-  const std::string bytes = embedded_image(file, at, place);
-  return bytes.empty() ? read_image(find_uri(file.path.parent_path(), file.images[at].uri, place))
-                       : read_image(bytes, place);
+  return read_by(file, image, [](const auto&... source) { return read_image(source...); });
+}
+
+Image read_gltf_alpha(const GltfFile& file, int image) {
+  return read_by(file, image, [](const auto&... source) { return read_alpha(source...); });
 }
 
 Image read_gltf_normal_map(const GltfFile& file, int image, Notes& notes) {
-  const auto at = static_cast<std::size_t>(image);
-  const Place place = file.place("/images/" + std::to_string(image) + "/uri");
-  const std::string bytes = embedded_image(file, at, place);
-  return bytes.empty() ? read_normal_map(find_uri(file.path.parent_path(), file.images[at].uri, place), notes)
-                       : read_normal_map(bytes, place, notes);
+  return read_by(file, image, [&](const auto&... source) { return read_normal_map(source..., notes); });
 }
 
 }  // namespace wrinkle

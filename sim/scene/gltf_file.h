@@ -51,6 +51,8 @@ int checked_index(const GltfFile& file, int index, std::size_t size, const std::
 std::string_view view_bytes(const GltfFile& file, int view, const std::string& pointer);
 
 Image read_gltf_image(const GltfFile& file, int image);
+// Its alpha as the one channel; no pixels where it has none.
+Image read_gltf_alpha(const GltfFile& file, int image);
 Image read_gltf_normal_map(const GltfFile& file, int image, Notes& notes);
 
 struct AccessorData {

@@ -99,18 +99,17 @@ Wrap wrap_of(const GltfFile& file, int mode, const std::string& pointer) {
   }
 }
 
-void read_sampler(const GltfFile& file, int texture, GltfMaterial& material, Notes& notes) {
+Wraps read_sampler(const GltfFile& file, int texture, Notes& notes) {
   const int index = file.model.textures[static_cast<std::size_t>(texture)].sampler;
-  if (index == -1) return;
+  if (index == -1) return {};
   const std::string pointer = "/textures/" + std::to_string(texture) + "/sampler";
   checked_index(file, index, file.model.samplers.size(), "samplers", pointer);
   const tinygltf::Sampler& sampler = file.model.samplers[static_cast<std::size_t>(index)];
   const std::string own = "/samplers/" + std::to_string(index);
-  material.wrap_u = wrap_of(file, sampler.wrapS, own + "/wrapS");
-  material.wrap_v = wrap_of(file, sampler.wrapT, own + "/wrapT");
   const bool nearest =
       sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST || sampler.minFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
   if (nearest) notes.push_back(file.place(own).text() + ": asks for nearest; the filter is the configuration's");
+  return {wrap_of(file, sampler.wrapS, own + "/wrapS"), wrap_of(file, sampler.wrapT, own + "/wrapT")};
 }
 
 // Roughness r as the exponent of Blinn and Phong's lobe, n = 2 / r^4 - 2, to the nearest power of two from 1 to 256.
@@ -139,11 +138,17 @@ Material material_of(const std::vector<double>& base, Vec3 specular, double roug
   return material;
 }
 
-Material metallic_roughness(const GltfFile& file, const std::string& pointer, PassedOver& passed_over) {
+// `specular`: the extension KHR_materials_specular, whose factors are of the whole highlight here.
+Material metallic_roughness(const GltfFile& file, const std::string& pointer, const std::string& specular,
+                            PassedOver& passed_over) {
   const std::vector<double> base = numbers_of(file, pointer + "/baseColorFactor", {1, 1, 1, 1}, 0, 1);
   const double roughness = roughness_of(file, pointer, passed_over);
-  const double specular = 0.04 + 0.3 * (1 - roughness);
-  return material_of(base, {specular, specular, specular}, roughness);
+  const double lobe = (0.04 + 0.3 * (1 - roughness)) * number_of(file, specular + "/specularFactor", 1, 0, 1);
+  const std::vector<double> colour = numbers_of(file, specular + "/specularColorFactor", {1, 1, 1}, 0, 1e6);
+  if (texture_use(file, specular + "/specularColorTexture")) {
+    passed_over.see("the texture of specular colour is not applied", file.place(specular));
+  }
+  return material_of(base, {lobe * colour[0], lobe * colour[1], lobe * colour[2]}, roughness);
 }
 
 Material specular_glossiness(const GltfFile& file, const std::string& pointer, PassedOver& passed_over) {
@@ -151,46 +156,72 @@ Material specular_glossiness(const GltfFile& file, const std::string& pointer, P
   const std::vector<double> f = numbers_of(file, pointer + "/specularFactor", {1, 1, 1}, 0, 1);
   const double glossiness = number_of(file, pointer + "/glossinessFactor", 1, 0, 1);
   if (texture_use(file, pointer + "/specularGlossinessTexture")) {
-    passed_over.see("the texture of specular colour and glossiness is not applied", file.place(pointer));
+    passed_over.see("of the texture of specular colour and glossiness only the colour is used", file.place(pointer));
   }
   const double lobe = 0.3 * glossiness;
   return material_of(base, {f[0] + lobe, f[1] + lobe, f[2] + lobe}, 1 - glossiness);
 }
 
-// Normal map and base colour; a base colour on other texture coordinates than the normal map is left out.
-void read_textures(const GltfFile& file, const std::string& pointer, const std::string& base_pointer,
+// Where the textures of a material are, but for its normal map.
+struct TexturePointers {
+  std::string base, gloss;
+  bool gloss_is_alpha = true;  // else its colour
+};
+
+std::optional<Image> read_gloss(const GltfFile& file, const TextureUse& use, bool is_alpha, Notes& notes) {
+  const std::string place = file.place(use.pointer).text();
+  if (!is_alpha) return gloss_of(read_gltf_image(file, image_of(file, use)), place, notes);
+  Image alpha = read_gltf_alpha(file, image_of(file, use));
+  if (!alpha.pixels.empty()) return alpha;
+  notes.push_back(place + ": has no alpha, and with it no gloss");
+  return std::nullopt;
+}
+
+// The texture that all others of the material are drawn like: its coordinates and wrap modes are theirs.
+struct Leading {
+  const TextureUse& use;
+  const char* name;
+  Wraps wraps;
+};
+
+// Whether a texture is drawn beside the leading one; what is lost or changed is noted.
+bool follows(const GltfFile& file, const TextureUse& use, const Leading& leading, Notes& notes) {
+  if (&use == &leading.use) return true;
+  const std::string place = file.place(use.pointer).text();
+  if (use.uv_set != leading.use.uv_set || use.transform != leading.use.transform) {
+    notes.push_back(place + ": other texture coordinates than the " + leading.name + "; left out");
+    return false;
+  }
+  const Wraps own = read_sampler(file, use.texture, notes);
+  if (own.u != leading.wraps.u || own.v != leading.wraps.v) {
+    notes.push_back(place + ": drawn with the wrap modes of the " + leading.name);
+  }
+  return true;
+}
+
+// Normal map, base colour and gloss, as far as they are on the same texture coordinates.
+void read_textures(const GltfFile& file, const std::string& pointer, const TexturePointers& pointers,
                    GltfMaterial& material, Notes& notes) {
   const auto normal = texture_use(file, pointer + "/normalTexture");
-  const auto base = texture_use(file, base_pointer);
+  const auto base = texture_use(file, pointers.base), gloss = texture_use(file, pointers.gloss);
   material.bump = normal.has_value();
-  material.decal = base.has_value();
-  if (!normal && !base) return;
-  const TextureUse& leading = normal ? *normal : *base;
-  if (normal && base && (base->uv_set != normal->uv_set || base->transform != normal->transform)) {
-    notes.push_back(file.place(base_pointer).text() + ": other texture coordinates than the normal map; left out");
-    material.decal = false;
-  }
-  material.uv_set = leading.uv_set;
-  material.uv_transform = leading.transform;
-  if (normal && material.decal) {
-    read_sampler(file, base->texture, material, notes);
-    const Wrap u = material.wrap_u, v = material.wrap_v;
-    read_sampler(file, normal->texture, material, notes);
-    if (u != material.wrap_u || v != material.wrap_v) {
-      notes.push_back(file.place(base_pointer).text() + ": drawn with the wrap modes of the normal map");
-    }
-  } else {
-    read_sampler(file, leading.texture, material, notes);
-  }
-  const Wraps wraps{material.wrap_u, material.wrap_v};
+  if (!normal && !base && !gloss) return;
+  const TextureUse& use = normal ? *normal : base ? *base : *gloss;
+  const Leading leading{use, normal ? "normal map" : "base colour", read_sampler(file, use.texture, notes)};
+  material.uv_set = use.uv_set;
+  material.uv_transform = use.transform;
+  material.wrap_u = leading.wraps.u;
+  material.wrap_v = leading.wraps.v;
   MipChain normals;
-  std::optional<Image> decal;
-  if (material.decal) decal = read_gltf_image(file, image_of(file, *base));
+  std::optional<Image> decal, shine;
+  if (base && follows(file, *base, leading, notes)) decal = read_gltf_image(file, image_of(file, *base));
+  if (gloss && follows(file, *gloss, leading, notes)) shine = read_gloss(file, *gloss, pointers.gloss_is_alpha, notes);
   if (normal) {
     const double scale = number_of(file, normal->pointer + "/scale", 1, -100, 100);
-    normals = normals_of(read_gltf_normal_map(file, image_of(file, *normal), notes), scale, wraps);
+    normals = normals_of(read_gltf_normal_map(file, image_of(file, *normal), notes), scale, leading.wraps);
   }
-  material.texture = make_texture(normals, decal, wraps);
+  material.maps = {decal.has_value(), shine.has_value()};
+  if (normal || decal || shine) material.texture = make_texture(normals, decal, shine, leading.wraps);
 }
 
 // What the file says of the material and is not drawn.
@@ -227,15 +258,17 @@ GltfMaterial read_gltf_material(const GltfFile& file, int index, const std::stri
   if (index == -1) return material;
   checked_index(file, index, file.model.materials.size(), "materials", referrer);
   const std::string pointer = "/materials/" + std::to_string(index);
-  const std::string metallic = pointer + "/pbrMetallicRoughness";
-  const std::string glossy = pointer + "/extensions/KHR_materials_pbrSpecularGlossiness";
+  const std::string metallic = pointer + "/pbrMetallicRoughness", extensions = pointer + "/extensions/";
+  const std::string glossy = extensions + "KHR_materials_pbrSpecularGlossiness";
+  const std::string specular = extensions + "KHR_materials_specular";
   const bool is_glossy = element_of(file, glossy).is_object();
-  material.material =
-      is_glossy ? specular_glossiness(file, glossy, passed_over) : metallic_roughness(file, metallic, passed_over);
+  material.material = is_glossy ? specular_glossiness(file, glossy, passed_over)
+                                : metallic_roughness(file, metallic, specular, passed_over);
   material.double_sided = file.model.materials[static_cast<std::size_t>(index)].doubleSided;
   note_the_rest(file, pointer, passed_over);
-  read_textures(file, pointer, is_glossy ? glossy + "/diffuseTexture" : metallic + "/baseColorTexture", material,
-                notes);
+  const TexturePointers of_glossy{glossy + "/diffuseTexture", glossy + "/specularGlossinessTexture", false};
+  const TexturePointers of_metallic{metallic + "/baseColorTexture", specular + "/specularTexture"};
+  read_textures(file, pointer, is_glossy ? of_glossy : of_metallic, material, notes);
   return material;
 }
 

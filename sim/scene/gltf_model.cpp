@@ -32,7 +32,7 @@ class GltfObjects {
       object.wrap_u = material.wrap_u;
       object.wrap_v = material.wrap_v;
       object.double_sided = material.double_sided;
-      decal_ = decal_ || material.decal;
+      maps_ = maps_ | material.maps;
       if (mesh.primitives[p].attributes.contains("COLOR_0")) {
         std::vector<Object> coloured = split_by_colour(std::move(object), file_.place(instance.pointer), notes_);
         std::move(coloured.begin(), coloured.end(), std::back_inserter(objects));
@@ -43,7 +43,7 @@ class GltfObjects {
     }
   }
 
-  bool decal() const { return decal_; }
+  const Maps& maps() const { return maps_; }
   const PassedOver& passed_over() const { return passed_over_; }
 
  private:
@@ -67,7 +67,7 @@ class GltfObjects {
   PassedOver passed_over_;
   std::map<int, GltfMaterial> materials_;
   std::map<std::pair<int, int>, std::optional<Mesh>> meshes_;
-  bool decal_ = false;
+  Maps maps_;
 };
 
 }  // namespace
@@ -89,7 +89,7 @@ Model read_gltf_model(const std::filesystem::path& path, Notes& notes) {
   if (!file.model.animations.empty()) {
     notes.push_back(file.place("/animations").text() + ": animations are not applied");
   }
-  model.decal = reader.decal();
+  model.maps = reader.maps();
   const Bounds bounds = bounds_of(model.objects);
   if (!nodes.cameras.empty()) {
     model.camera = read_gltf_camera(file, nodes.cameras.front(), bounds, model.size);

@@ -24,11 +24,12 @@ struct UvTransform {
   Vec2 operator()(Vec2 uv) const;
 };
 
-// A material as objects carry it. Where there is a normal or base texture, `texture` holds both.
+// A material as objects carry it. Where there is a normal, base or gloss texture, `texture` holds them all.
 struct GltfMaterial {
   Material material;
   std::shared_ptr<const ExactTexture> texture;
-  bool bump = false, decal = false;
+  bool bump = false;
+  Maps maps;
   int uv_set = 0;
   UvTransform uv_transform;
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
@@ -40,7 +41,7 @@ GltfMaterial read_gltf_material(const GltfFile& file, int index, const std::stri
                                 Notes& notes);
 
 // A primitive of triangles; nothing for points and lines. Normals that are not there are flat, tangents that are not
-// there MikkTSpace's; a material with neither texture needs no tangents.
+// there MikkTSpace's; a material without textures needs no tangents.
 std::optional<Mesh> read_gltf_primitive(const GltfFile& file, int mesh, int primitive, const GltfMaterial& material,
                                         PassedOver& passed_over, Notes& notes);
 

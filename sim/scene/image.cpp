@@ -80,15 +80,16 @@ void check_finite(const Image& image, const Place& place) {
                    "finite values of at most 1e6");
 }
 
-enum class Use { kColours, kNormals };
+enum class Use { kColours, kNormals, kAlpha };
 
-// The channels of the file that make up the image, in order. Alpha and depth are none of them.
+// The channels of the file that make up the image, in order. Alpha and depth are none of those of a colour or normal.
 std::vector<int> channels_of(const oiio::Header& spec, Use use, const Place& place) {
   const auto named = [&](std::string_view name) {
     const auto found = std::find_if(spec.channels.begin(), spec.channels.end(),
                                     [&](const std::string& c) { return equals_in_any_case(c, name); });
     return found == spec.channels.end() ? -1 : static_cast<int>(found - spec.channels.begin());
   };
+  if (use == Use::kAlpha) return spec.alpha_channel < 0 ? std::vector<int>{} : std::vector<int>{spec.alpha_channel};
   if (named("R") >= 0 && named("G") >= 0 && named("B") >= 0) return {named("R"), named("G"), named("B")};
   const int count = static_cast<int>(spec.channels.size());
   std::vector<int> all;
@@ -118,6 +119,7 @@ Window window_of(const oiio::Header& spec, std::string_view format) {
 Image decode(oiio::Input& input, Use use, const Place& place) {
   const oiio::Header& spec = input.header();
   const std::vector<int> channels = channels_of(spec, use, place);
+  if (channels.empty()) return {};
   const auto stored = static_cast<std::size_t>(1 + *std::max_element(channels.begin(), channels.end()));
   check_header(spec, stored, place);
   const Window window = window_of(spec, input.format());
@@ -216,12 +218,17 @@ Image read_as(const std::string& bytes, const Place& place, Use use) {
 Image read_image(const std::filesystem::path& path) { return read_as(path, Use::kColours); }
 Image read_image(const std::string& bytes, const Place& place) { return read_as(bytes, place, Use::kColours); }
 
+Image read_alpha(const std::filesystem::path& path) { return read_as(path, Use::kAlpha); }
+Image read_alpha(const std::string& bytes, const Place& place) { return read_as(bytes, place, Use::kAlpha); }
+
 Image read_normal_map(const std::filesystem::path& path, Notes& notes) {
   return checked_normals(read_as(path, Use::kNormals), Place{path.string()}, notes);
 }
 Image read_normal_map(const std::string& bytes, const Place& place, Notes& notes) {
   return checked_normals(read_as(bytes, place, Use::kNormals), place, notes);
 }
+
+float luminance(float r, float g, float b) { return 0.2126F * r + 0.7152F * g + 0.0722F * b; }
 
 Vec3 mean_colour(const Image& image) {
   Vec3 sum;

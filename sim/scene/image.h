@@ -38,6 +38,13 @@ Image read_image(const std::string& bytes, const Place& place);
 Image read_normal_map(const std::filesystem::path& path, Notes& notes);
 Image read_normal_map(const std::string& bytes, const Place& place, Notes& notes);
 
+// Luminance by the weights of ITU-R BT.709.
+float luminance(float r, float g, float b);
+
+// The alpha of an image as its one channel; no pixels where the file has none.
+Image read_alpha(const std::filesystem::path& path);
+Image read_alpha(const std::string& bytes, const Place& place);
+
 // Mean of each channel; grey gives three equal ones.
 Vec3 mean_colour(const Image& image);
 

@@ -14,12 +14,19 @@ struct PictureSize {
   int width = 512, height = 512;
 };
 
+// What the textures of a scene hold besides bumps, any of them.
+struct Maps {
+  bool decal = false, gloss = false;
+
+  Maps operator|(const Maps& other) const { return {decal || other.decal, gloss || other.gloss}; }
+};
+
 struct Model {
   std::vector<Object> objects;  // at least one
   std::optional<Camera> camera;
   std::optional<Light> light;
   PictureSize size;
-  bool decal = false;  // of any object
+  Maps maps;
 };
 
 Model read_gltf_model(const std::filesystem::path& path, Notes& notes);

@@ -133,6 +133,8 @@ class MtlParser {
       materials_.back().exponent = line.number(1, 0, 1e6);
     } else if (keyword == "map_kd") {
       read_map(line, materials_.back().colour_map);
+    } else if (keyword == "map_ks") {
+      read_map(line, materials_.back().gloss_map);
     } else if (keyword == "bump" || keyword == "map_bump") {
       read_map(line, materials_.back().bump_map);
     } else if (keyword == "norm" || keyword == "map_norm" || keyword == "map_kn") {
@@ -162,7 +164,7 @@ class MtlParser {
     if (std::ranges::any_of(materials_, [&](const MtlMaterial& m) { return m.name == name; })) {
       passed_over_.see("material \"" + name + "\" is there already; the first is taken", line.place(0));
     }
-    materials_.push_back({name, line.place(0), {}, {}, {}, {}, {}, {}, {}});
+    materials_.push_back({name, line.place(0), {}, {}, {}, {}, {}, {}, {}, {}});
   }
 
   // Three numbers, or one for a grey. Spectra and CIE colours are noted.

@@ -28,7 +28,7 @@ struct MtlMaterial {
   Place place;
   std::optional<Vec3> ambient, diffuse, specular;  // within [0, 1]
   std::optional<double> exponent;
-  std::optional<MtlMap> colour_map, bump_map, normal_map;
+  std::optional<MtlMap> colour_map, gloss_map, bump_map, normal_map;
 };
 
 // What changes the picture and is not applied, and keywords without values, are noted.

@@ -29,7 +29,8 @@ constexpr Vec3 kStandardDiffuse{0.6, 0.6, 0.6};
 struct ObjMaterial {
   Material material;
   std::shared_ptr<const ExactTexture> texture;
-  bool bump = false, decal = false;
+  bool bump = false;
+  Maps maps;
   Wrap wrap = Wrap::kRepeat;
   Vec2 offset, scale{1, 1};  // of texture coordinates, v up
 };
@@ -47,7 +48,7 @@ Image heights_image(const Image& image, const MtlMap& map) {
       const float r = image.at(x, y, 0), g = image.at(x, y, 1), b = image.at(x, y, 2);
       grey.pixels.push_back(channel < 3        ? image.at(x, y, static_cast<int>(channel))
                             : r == g && g == b ? r
-                                               : 0.2126F * r + 0.7152F * g + 0.0722F * b);
+                                               : luminance(r, g, b));
     }
   }
   return grey;
@@ -70,11 +71,15 @@ MipChain read_bump(const MtlMaterial& source, Wraps wraps, const fs::path& folde
   return normals_from_heights(height, 1.0, MipMethod::kHeights, wraps);
 }
 
-Image read_decal(const MtlMap& map, const fs::path& folder) {
+Image read_values(const MtlMap& map, const fs::path& folder) {
   Image image = read_image(image_file(folder, map));
   if (map.base == 0 && map.gain == 1) return image;
   for (float& c : image.pixels) c = static_cast<float>(map.base + map.gain * static_cast<double>(c));
   return image;
+}
+
+Image read_gloss(const MtlMap& map, const fs::path& folder, Notes& notes) {
+  return gloss_of(heights_image(read_values(map, folder), map), map.place.text() + ": \"" + map.name + "\"", notes);
 }
 
 Material material_of(const MtlMaterial& source) {
@@ -82,7 +87,7 @@ Material material_of(const MtlMaterial& source) {
   material.diffuse = source.diffuse.value_or(kStandardDiffuse);
   const Vec3 ambient = source.ambient.value_or(Vec3{});
   material.ambient = kAmbientLight * (ambient == Vec3{} ? material.diffuse : ambient);
-  material.specular = source.specular.value_or(Vec3{});
+  material.specular = source.specular.value_or(source.gloss_map ? Vec3{1, 1, 1} : Vec3{});
   const double exponent = std::max(source.exponent.value_or(1), 1.0);
   material.exponent = 1 << std::clamp(static_cast<int>(std::lround(std::log2(exponent))), 0, 8);
   return material;
@@ -92,28 +97,31 @@ ObjMaterial convert(const MtlMaterial& source, const fs::path& folder, Notes& no
   ObjMaterial material;
   material.material = material_of(source);
   material.bump = source.normal_map || source.bump_map;
-  material.decal = source.colour_map.has_value();
-  if (!material.bump && !material.decal) return material;
+  material.maps = {source.colour_map.has_value(), source.gloss_map.has_value()};
+  if (!material.bump && !material.maps.decal && !material.maps.gloss) return material;
 
-  const MtlMap& leading = source.normal_map ? *source.normal_map
-                          : source.bump_map ? *source.bump_map
-                                            : *source.colour_map;
+  const MtlMap& leading = source.normal_map   ? *source.normal_map
+                          : source.bump_map   ? *source.bump_map
+                          : source.colour_map ? *source.colour_map
+                                              : *source.gloss_map;
   if (source.normal_map && source.bump_map) {
     notes.push_back(source.bump_map->place.text() + ": beside norm; the height map is not applied");
   }
   material.wrap = leading.clamp ? Wrap::kClamp : Wrap::kRepeat;
   material.offset = leading.offset;
   material.scale = leading.scale;
-  if (material.decal && (source.colour_map->offset != leading.offset || source.colour_map->scale != leading.scale ||
-                         source.colour_map->clamp != leading.clamp)) {
-    notes.push_back(source.colour_map->place.text() + ": -o, -s and -clamp of the bump map are taken for it too");
+  for (const auto& map : {source.colour_map, source.gloss_map}) {
+    if (!map || (map->offset == leading.offset && map->scale == leading.scale && map->clamp == leading.clamp)) continue;
+    notes.push_back(map->place.text() + ": -o, -s and -clamp of " + (material.bump ? "the bump map" : "map_Kd") +
+                    " are taken for it too");
   }
   const Wraps wraps{material.wrap, material.wrap};
   MipChain normals;
-  std::optional<Image> decal;
+  std::optional<Image> decal, gloss;
   if (material.bump) normals = read_bump(source, wraps, folder, notes);
-  if (material.decal) decal = read_decal(*source.colour_map, folder);
-  material.texture = make_texture(normals, decal, wraps);
+  if (source.colour_map) decal = read_values(*source.colour_map, folder);
+  if (source.gloss_map) gloss = read_gloss(*source.gloss_map, folder, notes);
+  material.texture = make_texture(normals, decal, gloss, wraps);
   return material;
 }
 
@@ -345,7 +353,7 @@ class ObjReader {
     for (auto& [key, part] : parts) {
       const ObjMaterial& material = materials_[key.second];
       Object object = object_of(std::move(part), obj_.shapes[key.first], material, place_, notes_);
-      model_.decal = model_.decal || (material.decal && object.texture);
+      if (object.texture) model_.maps = model_.maps | material.maps;
       if (obj_.colours.empty()) {
         model_.objects.push_back(std::move(object));
         continue;

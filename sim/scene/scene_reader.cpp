@@ -36,7 +36,7 @@ Scene scene_of(Model model, const fs::path& path) {
   scene.camera = model.camera ? *model.camera : framing_camera(bounds_of(model.objects));
   scene.light = model.light ? *model.light : default_light(scene.camera);
   scene.viewer_at_infinity = !scene.camera.perspective;
-  scene.config = fitting_config(model.decal, scene.camera.perspective);
+  scene.config = fitting_config(model.maps, scene.camera.perspective);
   scene.objects = std::move(model.objects);
   return scene;
 }
@@ -68,8 +68,8 @@ Model read_model(const fs::path& path, Notes& notes) {
                    ".toml, .gltf, .glb or .obj");
 }
 
-std::string fitting_config(bool decal, bool perspective) {
-  return decal ? "fine" : perspective ? "perspective" : "standard";
+std::string fitting_config(const Maps& maps, bool perspective) {
+  return maps.gloss ? "gloss" : maps.decal ? "fine" : perspective ? "perspective" : "standard";
 }
 
 Scene read_scene(const fs::path& given, Notes* notes) {

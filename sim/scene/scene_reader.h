@@ -5,6 +5,7 @@
 #include <string>
 
 #include "golden/vertex/scene.h"
+#include "sim/scene/model.h"
 #include "sim/scene/notes.h"
 
 namespace wrinkle {
@@ -29,8 +30,8 @@ bool is_scene(const std::string& name);
 // The reader behind it for .toml.
 Scene read_toml_scene(const std::filesystem::path& path, Notes& notes);
 
-// The configuration that shows a scene without one of its own: `fine` where there is a decal, else `perspective` or
-// `standard` by the camera.
-std::string fitting_config(bool decal, bool perspective);
+// The configuration that shows a scene without one of its own: `gloss` where there is a gloss map, `fine` where there
+// is a decal, else `perspective` or `standard` by the camera.
+std::string fitting_config(const Maps& maps, bool perspective);
 
 }  // namespace wrinkle

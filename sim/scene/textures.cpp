@@ -5,6 +5,17 @@
 #include "golden/texel/quantise.h"
 
 namespace wrinkle {
+namespace {
+
+// The levels of an image whose codes are limited to [0, 1]; none without an image.
+MipChain clamped_mips(const std::optional<Image>& image, Wraps wraps) {
+  if (!image) return {};
+  Grid<Vec3> grid = resample_to_power_of_two(colours_of(*image), wraps);
+  for (Vec3& c : grid.samples) c = {std::clamp(c.x, 0.0, 1.0), std::clamp(c.y, 0.0, 1.0), std::clamp(c.z, 0.0, 1.0)};
+  return colour_mips(std::move(grid));
+}
+
+}  // namespace
 
 Grid<Vec3> colours_of(const Image& image) {
   Grid<Vec3> grid(image.width, image.height);
@@ -48,17 +59,25 @@ MipChain object_normals_from_heights(const Grid<double>& height, const Surface& 
   return chain;
 }
 
-std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal,
-                                                 Wraps wraps) {
-  MipChain colours;
-  if (decal) {
-    Grid<Vec3> grid = resample_to_power_of_two(colours_of(*decal), wraps);
-    for (Vec3& c : grid.samples) {
-      c = {std::clamp(c.x, 0.0, 1.0), std::clamp(c.y, 0.0, 1.0), std::clamp(c.z, 0.0, 1.0)};
-    }
-    colours = colour_mips(std::move(grid));
+Image gloss_of(Image image, const std::string& place, Notes& notes) {
+  if (image.channels == 1) return image;
+  bool coloured = false;
+  Image gloss{image.width, image.height, 1, {}};
+  gloss.pixels.reserve(image.pixels.size() / 3);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    const float r = image.pixels[i], g = image.pixels[i + 1], b = image.pixels[i + 2];
+    const bool grey = r == g && g == b;
+    coloured = coloured || !grey;
+    gloss.pixels.push_back(grey ? r : luminance(r, g, b));
   }
-  return std::make_shared<const ExactTexture>(assemble(normals, colours, wraps));
+  if (coloured) notes.push_back(place + ": in colour; its luminance is taken for the gloss, which has no colour");
+  return gloss;
+}
+
+std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal,
+                                                 const std::optional<Image>& gloss, Wraps wraps) {
+  return std::make_shared<const ExactTexture>(
+      assemble(normals, clamped_mips(decal, wraps), clamped_mips(gloss, wraps), wraps));
 }
 
 }  // namespace wrinkle

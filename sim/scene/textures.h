@@ -28,8 +28,11 @@ MipChain normals_from_heights(const Grid<double>& height, double k, MipMethod mi
 // The same in the space that the surface lies in, not in that of its tangents.
 MipChain object_normals_from_heights(const Grid<double>& height, const Surface& surface, MipMethod mip, Wraps wraps);
 
-// Either may be absent.
+// The image of a gloss map as one channel: an image in colour, which is noted, is taken as its luminance.
+Image gloss_of(Image image, const std::string& place, Notes& notes);
+
+// Each may be absent. Of a gloss the first channel is read.
 std::shared_ptr<const ExactTexture> make_texture(const MipChain& normals, const std::optional<Image>& decal,
-                                                 Wraps wraps);
+                                                 const std::optional<Image>& gloss, Wraps wraps);
 
 }  // namespace wrinkle

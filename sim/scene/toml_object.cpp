@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "golden/texel/height.h"
 #include "golden/vertex/surfaces.h"
@@ -20,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string_view> kObjectKeys = {
-    "name",         "mesh",   "tessellation", "size",         "radius",   "radii",        "translate", "rotate",
-    "scale",        "space",  "normal_map",   "normal_scale", "height",   "method",       "k",         "mip",
-    "height_scale", "repeat", "wrap",         "decal",        "material", "double_sided", "shadow"};
+    "name",  "mesh",       "tessellation", "size",     "radius",       "radii", "translate", "rotate",       "scale",
+    "space", "normal_map", "normal_scale", "height",   "method",       "k",     "mip",       "height_scale", "repeat",
+    "wrap",  "decal",      "gloss_map",    "material", "double_sided", "shadow"};
 
 constexpr double kLargestScale = 1e12;
 
@@ -170,22 +171,21 @@ class ObjectReader {
  public:
   ObjectReader(const TomlTable& table, Notes& notes) : table_(table), notes_(notes) {}
 
-  std::vector<Object> read(bool& decal) {
+  std::vector<Object> read(Maps& maps) {
     Bump bump = read_bump(table_, notes_);
     std::vector<Object> objects = bare_objects(bump.by_surface && bump.heights);
     for (Object& object : objects) read_wrap(table_, object);
     wraps_ = {objects.front().wrap_u, objects.front().wrap_v};
     if (bump.heights) bump.heights = regular_heights(*bump.heights, wraps_);
-    if (table_.has("decal")) {
-      base_ = read_image(find_file(folder_of(table_), table_.string("decal"), table_.place("decal")));
-    }
+    if (table_.has("decal")) base_ = read_map("decal");
+    if (table_.has("gloss_map")) gloss_ = gloss_of(read_map("gloss_map"), table_.place("gloss_map").text(), notes_);
     MipChain normals;
     if (bump.normals) normals = normals_of(*bump.normals, bump.normal_scale, wraps_);
     if (bump.heights && !bump.by_surface) normals = square_normals(bump, objects);
     std::shared_ptr<const ExactTexture> shared;
-    if (!normals.empty() || base_) shared = make_texture(normals, base_, wraps_);
-    note_lost_base_colour(bump);
-    decal = decal || decal_ || base_;
+    if (!normals.empty() || base_ || gloss_) shared = make_texture(normals, base_, gloss_, wraps_);
+    note_lost_maps(bump);
+    maps = maps | model_maps_ | Maps{base_.has_value(), gloss_.has_value()};
     for (Object& object : objects) finish(object, bump, shared);
     return objects;
   }
@@ -199,7 +199,7 @@ class ObjectReader {
       only_where(table_, false, {"tessellation", "size", "radius", "radii"}, "goes with a built-in mesh");
       const fs::path path = find_file(folder_of(table_), table_.string("mesh"), table_.place("mesh"));
       Model model = read_model(path, notes_);
-      decal_ = model.decal && !table_.has("decal");
+      model_maps_ = model.maps;
       objects = std::move(model.objects);
     } else {
       objects = read_built_in(table_, one_per_surface);
@@ -223,12 +223,21 @@ class ObjectReader {
     return {r[0], r[1]};
   }
 
-  // A texture of the table stands in the place of the file's, base colour and all.
-  void note_lost_base_colour(const Bump& bump) {
-    if (!decal_ || base_ || !bump.any()) return;
-    decal_ = false;
-    notes_.push_back(table_.place("mesh").text() +
-                     ": the base colours of the model are not drawn with a normal map or height of the scene file");
+  Image read_map(std::string_view key) const {
+    return read_image(find_file(folder_of(table_), table_.string(key), table_.place(key)));
+  }
+
+  // A texture of the table stands in the place of the model's, base colour, gloss and all.
+  void note_lost_maps(const Bump& bump) {
+    if (!base_ && !gloss_ && !bump.any()) return;
+    const Maps lost = std::exchange(model_maps_, {});
+    const std::string rest = " of the model are not drawn with " +
+                             std::string(bump.any() ? "a normal map or height"
+                                         : base_    ? "a decal"
+                                                    : "a gloss map") +
+                             " of the scene file";
+    if (lost.decal && !base_) notes_.push_back(table_.place("mesh").text() + ": the base colours" + rest);
+    if (lost.gloss && !gloss_) notes_.push_back(table_.place("mesh").text() + ": the gloss maps" + rest);
   }
   // One map for all objects of the table: k is theirs on the average.
   MipChain square_normals(const Bump& bump, const std::vector<Object>& objects) const {
@@ -265,7 +274,7 @@ class ObjectReader {
         throw InputError(table_.place("repeat"), "repeat other than 1",
                          "[1, 1] for method = \"eq3-6\", whose normals fit one place of the surface only");
       }
-      object.texture = make_texture(surface_normals(object, bump), base_, wraps_);
+      object.texture = make_texture(surface_normals(object, bump), base_, gloss_, wraps_);
     }
     if (object.mesh.surfaces.empty()) return;
     object.height = std::make_shared<SampledHeightField>(*bump.heights, wraps_);
@@ -312,16 +321,16 @@ class ObjectReader {
 
   const TomlTable& table_;
   Notes& notes_;
-  std::optional<Image> base_;
+  std::optional<Image> base_, gloss_;
   Wraps wraps_;
-  bool decal_ = false;
+  Maps model_maps_;  // that are drawn
 };
 
 }  // namespace
 
-std::vector<Object> read_toml_objects(const std::string& file, const toml::table& source, Notes& notes, bool& decal) {
+std::vector<Object> read_toml_objects(const std::string& file, const toml::table& source, Notes& notes, Maps& maps) {
   const TomlTable table(file, source, "an object", kObjectKeys);
-  return ObjectReader(table, notes).read(decal);
+  return ObjectReader(table, notes).read(maps);
 }
 
 }  // namespace wrinkle

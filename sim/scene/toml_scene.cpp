@@ -142,9 +142,9 @@ Scene read_toml_scene(const std::filesystem::path& path, Notes& notes) {
   scene.width = static_cast<int>(size[0]);
   scene.height = static_cast<int>(size[1]);
   scene.background = table.vector("background", 0, 1, Vec3{});
-  bool decal = false;
+  Maps maps;
   for (const toml::table* object : table.tables("objects", kMaximumObjects)) {
-    std::vector<Object> read = read_toml_objects(file, *object, notes, decal);
+    std::vector<Object> read = read_toml_objects(file, *object, notes, maps);
     std::move(read.begin(), read.end(), std::back_inserter(scene.objects));
     check_size(scene.objects, place_of(file, *object));
   }
@@ -154,7 +154,7 @@ Scene read_toml_scene(const std::filesystem::path& path, Notes& notes) {
   const toml::table* light = table.table("light");
   scene.light = light != nullptr ? read_light(file, *light) : default_light(scene.camera);
   scene.viewer_at_infinity = table.choice("viewer", {"local", "infinite"}, scene.camera.perspective ? 0 : 1) == 1;
-  scene.config = read_config(table, path.parent_path(), fitting_config(decal, scene.camera.perspective));
+  scene.config = read_config(table, path.parent_path(), fitting_config(maps, scene.camera.perspective));
   return scene;
 }
 

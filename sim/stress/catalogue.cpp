@@ -17,7 +17,7 @@ void Extreme::measure(double deviation, const std::string& description) {
 
 Config stress_wide(Config config) {
   config.datapath = static_cast<int>(Datapath::kPhong);
-  config.decal = 0;
+  config.decal = config.gloss_map = 0;
   config.perspective = 0;
   config.screen_bits = 12;
   config.guard_bits = std::max(config.guard_bits, 12);

@@ -13,7 +13,9 @@ namespace wrinkle {
 namespace {
 
 Texture one_texel(const Shape& config) {
-  return {.components = config.texels, .component_bits = config.texel_bits, .levels = {{0}}};
+  Texture texture{.components = config.texels, .component_bits = config.texel_bits};
+  texture.levels.emplace_back(std::size_t(texture.texel_words()));
+  return texture;
 }
 
 // u = uq / q for every q. It is off by half an LSB and by the relative error of the reciprocal, 2^-R.

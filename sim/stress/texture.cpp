@@ -6,6 +6,7 @@
 #include <random>
 
 #include "sim/stress/catalogue.h"
+#include "tb/random_texels.h"
 
 namespace wrinkle {
 namespace {
@@ -21,17 +22,21 @@ Texture empty_texture(const Shape& config, int log2_size) {
 Texture random_texture(const Config& config, int log2_size, int levels, unsigned seed) {
   std::mt19937_64 random(seed);
   Texture texture = empty_texture(config, log2_size);
-  const std::uint64_t mask = (std::uint64_t{1} << (texture.components * texture.component_bits)) - 1;
-  for (int level = 0; level < levels; ++level) {
-    auto& texels = texture.levels.emplace_back(std::size_t(texture.width(level)) * std::size_t(texture.height(level)));
-    for (auto& texel : texels) texel = random() & mask;
-  }
+  for (int level = 0; level < levels; ++level)
+    texture.levels.push_back(random_texels(texture, texture.width(level) * texture.height(level), random));
   return texture;
 }
 
-Texture texture_of(const Config& config, int log2_size, std::vector<std::vector<std::uint64_t>> levels) {
+// Texels given by their low words, the others being 0.
+Texture texture_of(const Config& config, int log2_size, const std::vector<std::vector<std::uint64_t>>& levels) {
   Texture texture = empty_texture(config, log2_size);
-  texture.levels = std::move(levels);
+  for (const auto& low_words : levels) {
+    auto& words = texture.levels.emplace_back();
+    for (const std::uint64_t word : low_words) {
+      words.push_back(word);
+      words.resize(words.size() + std::size_t(texture.texel_words()) - 1);
+    }
+  }
   return texture;
 }
 
@@ -62,9 +67,7 @@ double bilinear(const Texture& texture, Wrap wrap, int level, double u, double v
   const int i = int(std::floor(x)), j = int(std::floor(y));
   const auto code = [&](int a, int b) {
     const std::size_t at = std::size_t(wrapped(wrap, b, h)) * std::size_t(w) + std::size_t(wrapped(wrap, a, w));
-    const std::uint64_t texel =
-        texture.levels[std::size_t(level)][at] >> (std::size_t(texture.component_bits) * component);
-    return double(texel & ((std::uint64_t{1} << texture.component_bits) - 1));
+    return double(texture.code(texture.levels[std::size_t(level)], at, int(component)));
   };
   const double fx = x - i, fy = y - j;
   return (1 - fy) * ((1 - fx) * code(i, j) + fx * code(i + 1, j)) +

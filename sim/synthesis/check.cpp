@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <random>
 
+#include "sim/synthesis/faults.h"
 #include "sim/synthesis/stimulus.h"
 #include "sim/synthesis/testbench.h"
 #include "tb/process.h"
@@ -17,7 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kClocks = 1000, kEpisode = 40, kLeastRuns = 4, kMostRuns = 40;
+constexpr int kClocks = 1000, kLeastRuns = 20, kLeastRunsOfFpga = 8, kMostRuns = 100;
+// So many bytes of results of runs that are compared together, each with a bit of the words of a GateSimulation.
+constexpr std::size_t kMostBytes = 200'000'000;
+constexpr std::size_t kMachines = 64;
+constexpr std::uint64_t kAll = ~std::uint64_t{0};
+// From one state to the next, in every other run: long enough for buffers to fill, and short, for as many states.
+constexpr int kLong = 40, kShort = 5;
 // After so many clocks nothing is left of the state at the start.
 constexpr int kForgotten = 256;
 // With registers as wires, a word stays until the deepest pipeline shows it, and only then is compared.
@@ -27,6 +34,7 @@ constexpr int kStay = 8;
 // of each episode.
 struct Run {
   std::uint64_t seed;
+  int episode;
   std::vector<std::vector<bool>> states;
   std::vector<std::string> inputs, results;
 };
@@ -34,7 +42,10 @@ struct Run {
 // The values that a bit took, of a register those that a clock changed it to.
 struct Seen {
   bool low = false, high = false;
-  void add(bool value) { (value ? high : low) = true; }
+  void add(std::uint64_t lows, std::uint64_t highs) {
+    low = low || lows != 0;
+    high = high || highs != 0;
+  }
 };
 
 // A flip-flop of the netlist by which a net is driven, at once or through inverters.
@@ -58,18 +69,21 @@ class Check {
     find_sources();
     find_registers();
     find_flip_flops();
-    bench_.episode = starts_alike_ ? kEpisode * stay() : bench_.clocks;
+    bench_.shortest_episode = episode(0);
     find_constants();
     if (bench_.outputs.nets.empty()) throw SynthesisError(options.top + " has no output");
   }
 
   NetlistChecked run() {
     build();
-    for (int number = 1; number <= kLeastRuns || (number <= kMostRuns && !all_changed()); ++number) {
-      runs_.push_back(simulate_verilog(static_cast<std::uint64_t>(number)));
-      compare(runs_.back());
-      checked_.clocks += bench_.clocks;
+    const int together = runs_together();
+    for (int number = 1; number <= least_runs() || (number <= kMostRuns && !all_changed()); number += together) {
+      std::vector<Run> runs;
+      for (int i = 0; i < together; ++i) runs.push_back(simulate_verilog(static_cast<std::uint64_t>(number + i)));
+      compare(runs);
+      checked_.clocks += together * bench_.clocks;
       count_changes();
+      if (options_.faults > 0) std::move(runs.begin(), runs.end(), std::back_inserter(runs_));
     }
     if (!all_changed())
       throw SynthesisError(fmt::format("{} of {} never changed in {} clocks, so that little is known of its netlist",
@@ -135,12 +149,12 @@ class Check {
   }
 
   Run simulate_verilog(std::uint64_t seed) const {
-    Run run{seed, {}, stimulus(ports_, {seed, bench_.clocks, stay()}), {}};
+    Run run{seed, episode(seed), {}, stimulus(ports_, {seed, bench_.clocks, stay(), draw(seed)}), {}};
     draw_states(run);
     std::ofstream inputs(options_.folder / "inputs");
     for (const std::string& line : run.inputs) inputs << (line.empty() ? "0" : line) << '\n';
     inputs.close();
-    tool({"vvp", "-n", options_.folder / "check.vvp"});
+    tool({"vvp", "-n", options_.folder / "check.vvp", fmt::format("+episode={}", run.episode)});
     std::ifstream results(options_.folder / "results");
     for (std::string line; std::getline(results, line);) run.results.push_back(line);
     if (run.results.size() != run.inputs.size()) throw SynthesisError(options_.top + ": the simulation stopped early");
@@ -153,8 +167,9 @@ class Check {
     std::mt19937_64 random(run.seed);
     std::vector<std::string> words;
     for (const Register& word : bench_.registers) words.emplace_back(word.bits, '0');
-    std::ofstream file(options_.folder / "state");
-    for (int clock = 0; clock < bench_.clocks; clock += bench_.episode) {
+    std::vector<std::vector<std::string>> all_words;
+    std::vector<const std::string*> inputs;
+    for (int clock = 0; clock < bench_.clocks; clock += run.episode) {
       for (std::string& word : words) draw_word(word, random);
       std::vector<bool> state(netlist_.flip_flops.size());
       for (std::size_t i = 0; i < state.size(); ++i) state[i] = random() % 2 != 0;
@@ -162,16 +177,33 @@ class Check {
         if (const auto source = source_of(bit); source && starts_alike_)
           state[source->flip_flop] = (value == '1') != source->inverted;
       });
-      GateSimulation simulation(netlist_);
-      simulation.set_state(state);
-      drive(simulation, run.inputs[static_cast<std::size_t>(clock)]);
-      for_each_bit(words, [&](std::size_t bit, char& value) {
-        if (register_nets_[bit] && starts_alike_) value = (simulation.value(*register_nets_[bit]) & 1) != 0 ? '1' : '0';
-      });
-      for (const std::string& word : words) file << word << '\n';
+      all_words.push_back(words);
+      inputs.push_back(&run.inputs[static_cast<std::size_t>(clock)]);
       run.states.push_back(std::move(state));
     }
+    for (std::size_t first = 0; first < all_words.size(); first += kMachines)
+      settle_words(run, inputs, first, all_words);
+    std::ofstream file(options_.folder / "state");
+    for (const auto& state : all_words) {
+      for (const std::string& word : state) file << word << '\n';
+    }
     if (words.empty()) file << "0\n";
+  }
+
+  // Of as many states as there are machines, the bits of registers as the netlist has them.
+  void settle_words(const Run& run, const std::vector<const std::string*>& inputs, std::size_t first,
+                    std::vector<std::vector<std::string>>& words) const {
+    const std::size_t last = std::min(first + kMachines, words.size());
+    GateSimulation simulation(netlist_);
+    for (std::size_t i = first; i < last; ++i) simulation.set_state(run.states[i], std::uint64_t{1} << (i - first));
+    drive(simulation,
+          {inputs.begin() + static_cast<std::ptrdiff_t>(first), inputs.begin() + static_cast<std::ptrdiff_t>(last)});
+    for (std::size_t i = first; i < last; ++i) {
+      for_each_bit(words[i], [&](std::size_t bit, char& value) {
+        if (register_nets_[bit] && starts_alike_)
+          value = (simulation.value(*register_nets_[bit]) >> (i - first) & 1) != 0 ? '1' : '0';
+      });
+    }
   }
 
   // Calls with the number of each bit of all registers, bit 0 of the first one first, and its place in `words`.
@@ -187,54 +219,97 @@ class Check {
     return register_nets_[register_bit] ? sources_[*register_nets_[register_bit]] : std::nullopt;
   }
 
-  void drive(GateSimulation& simulation, const std::string& line) const {
-    for (std::size_t i = 0; i < bench_.inputs.nets.size(); ++i)
-      simulation.set(bench_.inputs.nets[i], line[line.size() - 1 - i] == '1');
+  // Machine i gets inputs[i].
+  void drive(GateSimulation& simulation, const std::vector<const std::string*>& inputs) const {
+    for (std::size_t bit = 0; bit < bench_.inputs.nets.size(); ++bit) {
+      std::uint64_t value = 0;
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        value |= std::uint64_t{(*inputs[i])[inputs[i]->size() - 1 - bit] == '1'} << i;
+      simulation.set(bench_.inputs.nets[bit], value);
+    }
     simulation.settle();
   }
 
+  int episode(std::uint64_t run) const { return starts_alike_ ? draw(run) : bench_.clocks; }
+  int draw(std::uint64_t run) const { return stay() * (run % 2 != 0 ? kLong : kShort); }
   int stay() const { return options_.registers ? 1 : kStay; }
   bool is_compared(std::size_t clock) const {
     const int time = static_cast<int>(clock);
     return time % stay() == stay() - 1 && (starts_alike_ || time >= kForgotten);
   }
 
-  // The netlist at one clock of a run, its inputs settled.
-  void step(GateSimulation& simulation, const Run& run, std::size_t clock) const {
-    const auto episode = static_cast<std::size_t>(bench_.episode);
-    if (clock % episode == 0) simulation.set_state(run.states[clock / episode]);
-    drive(simulation, run.inputs[clock]);
+  // The gates of an FPGA are made in less time, and the check is not to take longer.
+  int least_runs() const { return options_.keeps_registers ? kLeastRuns : kLeastRunsOfFpga; }
+  int runs_together() const {
+    const std::size_t line = bench_.outputs.nets.size() + register_nets_.size() + 1;
+    const std::size_t most = kMostBytes / (line * static_cast<std::size_t>(bench_.clocks));
+    return static_cast<int>(std::clamp<std::size_t>(most, 1, static_cast<std::size_t>(least_runs())));
   }
 
-  // Of every bit of a line of results that the netlist has too: its number, its net and what the Verilog says.
+  // At one clock, a run in each machine, inputs settled.
+  void step(GateSimulation& simulation, const std::vector<Run>& runs, std::size_t clock) const {
+    std::vector<const std::string*> inputs;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const auto episode = static_cast<std::size_t>(runs[i].episode);
+      if (clock % episode == 0) simulation.set_state(runs[i].states[clock / episode], std::uint64_t{1} << i);
+      inputs.push_back(&runs[i].inputs[clock]);
+    }
+    drive(simulation, inputs);
+  }
+
+  // At one clock of one run, the same in all machines.
+  void step(GateSimulation& simulation, const Run& run, std::size_t clock) const {
+    const auto episode = static_cast<std::size_t>(run.episode);
+    if (clock % episode == 0) simulation.set_state(run.states[clock / episode], kAll);
+    const std::string& line = run.inputs[clock];
+    for (std::size_t i = 0; i < bench_.inputs.nets.size(); ++i)
+      simulation.set(bench_.inputs.nets[i], line[line.size() - 1 - i] == '1' ? kAll : 0);
+    simulation.settle();
+  }
+
+  // Of every bit of a line of results that the netlist has too: its number and its net.
   template <typename Function>
-  void for_each_result(const std::string& results, Function call) const {
+  void for_each_result(Function call) const {
     const std::vector<std::uint32_t>& outputs = bench_.outputs.nets;
-    for (std::size_t i = 0; i < outputs.size(); ++i) call(i, outputs[i], results[results.size() - 1 - i]);
+    for (std::size_t i = 0; i < outputs.size(); ++i) call(i, outputs[i]);
     for (std::size_t i = 0; i < register_nets_.size(); ++i) {
-      const std::size_t bit = outputs.size() + i;
-      if (starts_alike_ && source_of(i)) call(bit, *register_nets_[i], results[results.size() - 1 - bit]);
+      if (starts_alike_ && source_of(i)) call(outputs.size() + i, *register_nets_[i]);
     }
   }
 
-  void compare(const Run& run) {
+  void compare(const std::vector<Run>& runs) {
+    const std::uint64_t all = kAll >> (kMachines - runs.size());
     GateSimulation simulation(netlist_);
-    std::vector<bool> before(counted_.size());
-    for (std::size_t clock = 0; clock < run.inputs.size(); ++clock) {
-      step(simulation, run, clock);
-      for (std::size_t i = 0; i < before.size(); ++i) before[i] = simulation.bit(counted_q(i));
-      if (is_compared(clock)) {
-        for_each_result(run.results[clock], [&](std::size_t bit, std::uint32_t net, char expected) {
-          if (expected != (simulation.bit(net) ? '1' : '0')) complain(run, clock, bit, expected);
-          if (bit < output_was_.size()) output_was_[bit].add(expected == '1');
-        });
-      }
+    std::vector<std::uint64_t> before(counted_.size());
+    for (std::size_t clock = 0; clock < static_cast<std::size_t>(bench_.clocks); ++clock) {
+      step(simulation, runs, clock);
+      for (std::size_t i = 0; i < before.size(); ++i) before[i] = simulation.value(counted_q(i));
+      if (is_compared(clock)) compare(simulation, runs, clock);
       simulation.clock();
       for (std::size_t i = 0; i < before.size(); ++i) {
-        const bool after = simulation.bit(counted_q(i));
-        if (after != before[i]) register_was_[i].add(after);
+        const std::uint64_t after = simulation.value(counted_q(i)), changed = (before[i] ^ after) & all;
+        register_was_[i].add(changed & ~after, changed & after);
       }
     }
+  }
+
+  void compare(const GateSimulation& simulation, const std::vector<Run>& runs, std::size_t clock) {
+    std::vector<const char*> last;  // bit 0
+    for (const Run& run : runs) last.push_back(&run.results[clock].back());
+    for_each_result([&](std::size_t bit, std::uint32_t net) {
+      std::uint64_t lows = 0, highs = 0;
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        const char expected = *(last[i] - bit);
+        lows |= std::uint64_t{expected == '0'} << i;
+        highs |= std::uint64_t{expected == '1'} << i;
+      }
+      const std::uint64_t value = simulation.value(net);
+      const std::uint64_t right = (value & highs) | (~value & lows);
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        if ((right >> i & 1) == 0) complain(runs[i], clock, bit, *(last[i] - bit));
+      }
+      if (bit < output_was_.size()) output_was_[bit].add(lows, highs);
+    });
   }
 
   std::uint32_t counted_q(std::size_t i) const { return netlist_.flip_flops[counted_[i]].q; }
@@ -286,33 +361,8 @@ class Check {
     return "a flip-flop without a name";
   }
 
-  // Gates that something reads, without those that only name a net or a constant anew.
-  std::vector<std::size_t> gates_that_matter() const {
-    std::vector<bool> is_read(netlist_.nets);
-    for (const std::uint32_t net : bench_.outputs.nets) is_read[net] = true;
-    for (const FlipFlop& flip_flop : netlist_.flip_flops) is_read[flip_flop.d] = true;
-    std::vector<std::size_t> found;
-    for (std::size_t g = netlist_.gates.size(); g-- > 0;) {
-      const Gate& gate = netlist_.gates[g];
-      if (!is_read[gate.y]) continue;
-      is_read[gate.a] = is_read[gate.b] = true;
-      if (!gate.is_buffer() || gate.is_inverter()) found.push_back(g);
-    }
-    return found;
-  }
-
-  std::vector<Fault> random_faults() const {
-    const std::vector<std::size_t> gates = gates_that_matter();
-    std::mt19937_64 random(17);
-    std::vector<Fault> faults;
-    while (static_cast<int>(faults.size()) < options_.faults && !gates.empty())
-      faults.push_back({gates[random() % gates.size()], static_cast<Fault::Kind>(random() % 5)});
-    return faults;
-  }
-
   void find_faults() {
-    const std::vector<Fault> faults = random_faults();
-    constexpr std::size_t kMachines = 64;
+    const std::vector<Fault> faults = random_faults(netlist_, bench_.outputs.nets, options_.faults);
     for (std::size_t first = 0; first < faults.size(); first += kMachines) {
       const std::size_t last = std::min(first + kMachines, faults.size());
       const std::vector<Fault> some(faults.begin() + static_cast<std::ptrdiff_t>(first),
@@ -321,8 +371,18 @@ class Check {
       std::uint64_t found = 0;
       for (std::size_t i = 0; i < runs_.size() && found != all; ++i)
         found |= faults_found(runs_[i], some, all & ~found);
-      checked_.faults += static_cast<int>(some.size());
-      checked_.faults_found += std::popcount(found);
+      for (std::size_t i = 0; i < some.size(); ++i) count_fault(some[i], (found >> i & 1) != 0);
+    }
+  }
+
+  void count_fault(const Fault& fault, bool is_found) {
+    ++checked_.faults;
+    if (is_found) {
+      ++checked_.faults_found;
+    } else if (is_redundant(netlist_, fault, bench_.outputs.nets, options_.folder)) {
+      ++checked_.faults_redundant;
+    } else {
+      checked_.faults_missed.push_back(fault_text(netlist_, fault));
     }
   }
 
@@ -333,8 +393,9 @@ class Check {
     for (std::size_t clock = 0; clock < run.inputs.size() && (found & wanted) != wanted; ++clock) {
       step(simulation, run, clock);
       if (is_compared(clock)) {
-        for_each_result(run.results[clock], [&](std::size_t, std::uint32_t net, char expected) {
-          found |= expected == '1' ? ~simulation.value(net) : simulation.value(net);
+        const std::string& results = run.results[clock];
+        for_each_result([&](std::size_t bit, std::uint32_t net) {
+          found |= results[results.size() - 1 - bit] == '1' ? ~simulation.value(net) : simulation.value(net);
         });
       }
       simulation.clock();

@@ -21,11 +21,11 @@ struct CheckOptions {
 };
 
 // Icarus simulates the Verilog, gates.h the netlist. Both start from the same random state, and go on from another one
-// every 40 clocks: each register of the Verilog is what the net of its name in the netlist is, and random where there
-// is none. So every output and every register is known and compared at every clock, the first included, and a reset
-// that is missing is seen. Runs of 1,000 clocks follow each other until a clock has changed every register to 0 and to
-// 1 and every output has been both: four at least, forty at most, and then SynthesisError names what has not. An output
-// that the netlist wires to a constant has one value only.
+// every 40 or every 5 clocks: each register of the Verilog is what the net of its name in the netlist is, and random
+// where there is none. So every output and every register is known and compared at every clock, the first included, and
+// a reset that is missing is seen. Runs of 1,000 clocks follow each other until a clock has changed every register to 0
+// and to 1 and every output has been both: twenty at least (of an FPGA eight), a hundred at most, and then SynthesisError
+// names what has not. An output that the netlist wires to a constant has one value only.
 //
 // A netlist that does not keep its registers starts from another random state than the Verilog, and outputs are
 // compared from clock 256 on, when what came in has taken the place of either.

@@ -61,6 +61,8 @@ std::vector<Register> registers_in(const fs::path& dump) {
       }
     }
   }
+  // In a clocked block Yosys makes a register of each variable of a function, which nothing reads.
+  std::erase_if(registers, [](const std::string& name) { return name.find("$func$") != std::string::npos; });
   std::vector<Register> found;
   // Every generate block has a name in the source; Yosys makes up others for the branches of an `else if`.
   static const std::regex made_up(R"(\bgenblk\d+\.)");

@@ -35,12 +35,13 @@ struct GateNetlist {
   std::vector<Gate> gates;  // each behind those that drive it
   std::vector<FlipFlop> flip_flops;
   std::uint32_t nets = 0;  // net 0 is always 0
-  // Every net that a gate, a flip-flop or an input drives; some have several names.
+  // Nets of the top that a gate, a flip-flop or an input drives; some have several names.
   std::unordered_map<std::string, std::uint32_t> names;
 };
 
-// Reads what Yosys's `write_blif -gates -icells` writes of a flat module of its own gates and positive-edge flip-flops
-// of the clock `clk`. A net without a driver is 0. Throws SynthesisError for another cell, another clock or a loop.
+// Reads what Yosys's `write_blif -gates -icells` writes of its own gates and positive-edge flip-flops of the clock
+// `clk`, and of modules made of them; the first model is the whole. A net without a driver is 0. Throws SynthesisError
+// for another cell, another clock or a loop.
 GateNetlist read_gates(const std::filesystem::path& blif);
 
 // One gate wrong in one machine.
@@ -56,18 +57,23 @@ struct Fault {
   Kind kind = Kind::kOutput0;
 };
 
+// The output of a gate for 64 machines.
+std::uint64_t evaluate(const Gate& gate, std::uint64_t a, std::uint64_t b);
+// The same of a gate that is wrong in all of them.
+std::uint64_t evaluate(const Gate& gate, Fault::Kind kind, std::uint64_t a, std::uint64_t b);
+
 class GateSimulation {
  public:
   // Machine i has faults[i], the rest are right. Flip-flops start with 0.
   explicit GateSimulation(const GateNetlist& netlist, const std::vector<Fault>& faults = {});
 
-  void set(std::uint32_t net, bool value) { values_[net] = value ? ~std::uint64_t{0} : 0; }
-  // A bit for each flip-flop.
-  void set_state(const std::vector<bool>& state);
+  // A bit for each machine.
+  void set(std::uint32_t net, std::uint64_t value) { values_[net] = value; }
+  // A bit for each flip-flop, of the machines in `machines`.
+  void set_state(const std::vector<bool>& state, std::uint64_t machines);
   void settle();
   void clock();
   std::uint64_t value(std::uint32_t net) const { return values_[net]; }
-  bool bit(std::uint32_t net) const { return (values_[net] & 1) != 0; }  // of machine 0
 
  private:
   void settle(std::size_t from, std::size_t to);

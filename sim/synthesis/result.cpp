@@ -77,15 +77,22 @@ std::map<std::string, double> lef_areas(const std::filesystem::path& lef) {
 }
 
 nlohmann::json to_json(const NetlistChecked& checked) {
-  return {{"clocks", checked.clocks},       {"different", 0},
-          {"registers", checked.registers}, {"registers_changed", checked.registers_changed},
-          {"outputs", checked.outputs},     {"outputs_changed", checked.outputs_changed},
-          {"faults", checked.faults},       {"faults_found", checked.faults_found}};
+  return {{"clocks", checked.clocks},
+          {"different", 0},
+          {"registers", checked.registers},
+          {"registers_changed", checked.registers_changed},
+          {"outputs", checked.outputs},
+          {"outputs_changed", checked.outputs_changed},
+          {"faults", checked.faults},
+          {"faults_found", checked.faults_found},
+          {"faults_redundant", checked.faults_redundant},
+          {"faults_missed", checked.faults_missed}};
 }
 
 NetlistChecked netlist_checked(const nlohmann::json& json) {
-  return {json.at("clocks"),          json.at("registers"), json.at("registers_changed"), json.at("outputs"),
-          json.at("outputs_changed"), json.at("faults"),    json.at("faults_found")};
+  return {json.at("clocks"),       json.at("registers"),        json.at("registers_changed"),
+          json.at("outputs"),      json.at("outputs_changed"),  json.at("faults"),
+          json.at("faults_found"), json.at("faults_redundant"), json.at("faults_missed")};
 }
 
 nlohmann::json to_json(const SynthesisResult& result) {

@@ -15,6 +15,8 @@ struct StimulusOptions {
   int clocks = 1000;
   // Each word stays so long. More than 1: nothing ever waits, so that at the end of its stay a pipeline shows it.
   int stay = 1;
+  // So long stays the state of a draw.
+  int draw = 64;
 };
 
 // Draws a random word, bit 0 last: a sparse, a dense or a constant one, one of a single bit, a row of small signed
@@ -23,7 +25,8 @@ void draw_word(std::string& word, std::mt19937_64& random);
 
 // A line of 0 and 1 for every clock, bit 0 of the first input last; the input `clk` is left out. The input `rst` is 1
 // in the first clocks and seldom again. Inputs named valid, ready, advance and shift change at random with a rate that
-// is another every 64 clocks, and those of a draw's state with it. All others are drawn.
+// is another every 64 clocks, at times that of all together, so that a deep buffer is written everywhere. All others
+// are drawn.
 std::vector<std::string> stimulus(const std::vector<NetlistPort>& ports, const StimulusOptions& options);
 
 }  // namespace wrinkle

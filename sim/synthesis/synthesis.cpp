@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Another number makes every kept result be checked anew.
-constexpr int kCheckVersion = 5;
+constexpr int kCheckVersion = 12;
 
 // One run: what to make, from what, where.
 struct Job {
@@ -64,7 +64,8 @@ std::string script_text(const fs::path& name) {
   return text;
 }
 
-std::vector<fs::path> files_in(const std::vector<fs::path>& folders, const std::string& extension) {
+template <typename Folders>
+std::vector<fs::path> files_in(const Folders& folders, const std::string& extension) {
   std::vector<fs::path> files;
   for (const fs::path& folder : folders) {
     if (!fs::is_directory(folder)) continue;
@@ -76,9 +77,16 @@ std::vector<fs::path> files_in(const std::vector<fs::path>& folders, const std::
   return files;
 }
 
-std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
+std::set<fs::path> folders_of(const std::vector<fs::path>& files) {
   std::set<fs::path> folders;
-  for (const fs::path& source : sources) folders.insert(source.parent_path());
+  for (const fs::path& file : files) folders.insert(file.parent_path());
+  return folders;
+}
+
+// Maps are read beside every source, and include headers of rtl/unit.
+std::vector<fs::path> include_folders(const std::vector<fs::path>& sources) {
+  std::set<fs::path> folders = folders_of(sources);
+  folders.insert(fs::path(WRINKLE_SOURCE_DIR) / "rtl" / "unit");
   return {folders.begin(), folders.end()};
 }
 
@@ -88,7 +96,7 @@ fs::path maps() { return fs::path(WRINKLE_SOURCE_DIR) / "sim" / "synthesis" / "m
 
 // The sources with every module that has a map replaced by it; a map that replaces nothing may be part of another.
 std::vector<fs::path> mapped_sources(const std::vector<fs::path>& sources) {
-  std::vector<fs::path> mapped = files_in({maps()}, ".v");
+  std::vector<fs::path> mapped = files_in(std::set<fs::path>{maps()}, ".v");
   for (const fs::path& source : sources) {
     if (!fs::exists(maps() / source.filename())) mapped.push_back(source);
   }
@@ -202,10 +210,9 @@ double placed_path(const Job& job) {
   return 1000.0 / clocks.front().at("achieved").get<double>();
 }
 
-NetlistChecked checked(const Job& job) {
-  run_script(job, {"yosys", "-Q", "-s"}, job.is_standard_cells() ? "cells_gates.ys" : "fpga_gates.ys");
-  return check_netlist({job.top, job.parameters, job.sources, include_folders(job.sources), job.folder / "gates.blif",
-                        job.folder, job.options.registers, job.is_standard_cells(), job.options.faults});
+NetlistChecked checked(const Job& job, const fs::path& gates) {
+  return check_netlist({job.top, job.parameters, job.sources, include_folders(job.sources), gates, job.folder,
+                        job.options.registers, job.is_standard_cells(), job.options.faults});
 }
 
 std::string provenance(const Job& job) {
@@ -221,10 +228,11 @@ std::string provenance(const Job& job) {
   return text;
 }
 
+// A netlist that is not checked yet, and its gates as gates.blif in the folder of the job.
 SynthesisResult make(const Job& job) {
   SynthesisResult result = cell_counts(job);
   result.provenance = provenance(job);
-  result.checked = checked(job);
+  run_script(job, {"yosys", "-Q", "-s"}, job.is_standard_cells() ? "cells_gates.ys" : "fpga_gates.ys");
   if (job.is_standard_cells()) {
     add_area(result, lef_path(job.library));
     // A module of wires alone comes out a hair below 0.
@@ -238,7 +246,7 @@ SynthesisResult make(const Job& job) {
 // Files and the headers beside them.
 void add_files(Fingerprint& key, const std::vector<fs::path>& files) {
   for (const fs::path& file : files) key.add(read_text(file));
-  for (const fs::path& header : files_in(include_folders(files), ".vh")) key.add(read_text(header));
+  for (const fs::path& header : files_in(folders_of(files), ".vh")) key.add(read_text(header));
 }
 
 // The scripts that a job can come to use: those of an FPGA bear its name or are for every FPGA, all others are for
@@ -246,7 +254,7 @@ void add_files(Fingerprint& key, const std::vector<fs::path>& files) {
 std::vector<fs::path> own_scripts(const Job& job) {
   std::vector<fs::path> found;
   for (const std::string extension : {".ys", ".v", ".abc", ".tcl"}) {
-    for (const fs::path& script : files_in({scripts()}, extension)) {
+    for (const fs::path& script : files_in(std::set<fs::path>{scripts()}, extension)) {
       const std::string name = script.filename();
       const auto is_of = [&](CellLibrary library) { return name.starts_with(cell_library_name(library)); };
       const bool is_of_fpga = name.starts_with("fpga") || is_of(CellLibrary::kIce40) || is_of(CellLibrary::kEcp5) ||
@@ -258,22 +266,33 @@ std::vector<fs::path> own_scripts(const Job& job) {
   return found;
 }
 
-std::string job_key(const Job& job) {
+// Of what the netlist depends on.
+std::string netlist_key(const Job& job) {
   Fingerprint key;
   key.add(job.top);
   for (const auto& [name, value] : job.parameters) key.add(fmt::format("{}={}", name, value.text));
-  for (const auto* files : {&job.sources, &job.mapped}) add_files(key, *files);
+  add_files(key, job.mapped);
+  for (const fs::path& header : files_in(folders_of(job.sources), ".vh")) key.add(read_text(header));
   for (const fs::path& script : own_scripts(job)) key.add(read_text(script));
   if (job.is_standard_cells()) {
     key.add(read_text(liberty_path(job.library)));
     key.add(read_text(lef_path(job.library)));
   }
-  key.add(fmt::format("{} {} {} {}", job.is_placed(), job.options.full_adders, job.options.faults, kCheckVersion));
+  key.add(fmt::format("{} {}", job.is_placed(), job.options.full_adders));
   key.add(job.options.effort);
   key.add(replace_all(without_constant_pins(), scripts().string(), ""));
   if (!job.options.adders.empty()) key.add(read_text(job.options.adders));
   if (!job.options.registers) key.add(std::string(kRegistersToWires) + kWires);
   key.add(provenance(job));
+  return key.hex();
+}
+
+// Of what its check depends on too.
+std::string job_key(const Job& job, const std::string& netlist) {
+  Fingerprint key;
+  key.add(netlist);
+  add_files(key, job.sources);
+  key.add(fmt::format("{} {}", job.options.faults, kCheckVersion));
   return key.hex();
 }
 
@@ -297,6 +316,25 @@ struct TemporaryFolder {
   }
 };
 
+void keep(const SynthesisResult& result, const fs::path& path) {
+  const fs::path partial = path.string() + ".partial";
+  std::ofstream(partial) << to_json(result).dump(1) << '\n';
+  fs::rename(partial, path);
+}
+
+// What is known of a netlist whose gates are KEY.blif.
+fs::path unchecked(const fs::path& cache, const std::string& key) { return cache / (key + ".unchecked"); }
+
+// What make() made before, or makes now.
+SynthesisResult kept_netlist(const Job& job, const fs::path& cache, const std::string& key) {
+  const fs::path kept = unchecked(cache, key);
+  if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));
+  const SynthesisResult result = make(job);
+  fs::rename(job.folder / "gates.blif", cache / (key + ".blif"));
+  keep(result, kept);
+  return result;
+}
+
 }  // namespace
 
 std::string cell_library_name(CellLibrary library) {
@@ -312,7 +350,7 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
   Job job{top, parameters, library, options, options.sources, {}, {}};
   const fs::path rtl = fs::path(WRINKLE_SOURCE_DIR) / "rtl";
   if (job.sources.empty())
-    job.sources = files_in({rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
+    job.sources = files_in(std::set<fs::path>{rtl, rtl / "stage", rtl / "perturb", rtl / "unit", rtl / "lib"}, ".v");
   for (fs::path& source : job.sources) source = fs::absolute(source);
 
   const fs::path cache = cache_folder(options);
@@ -320,21 +358,22 @@ SynthesisResult synthesise(const std::string& top, const VerilogParameters& para
   const std::vector<fs::path> folders = include_folders(job.sources);
   job.mapped = elaborated_files(top, parameters, mapped_sources(job.sources), folders, cache);
   job.sources = elaborated_files(top, parameters, job.sources, folders, cache);
-  const std::string key = job_key(job);
+  const std::string netlist = netlist_key(job), key = job_key(job, netlist);
   const fs::path kept = cache / (key + ".json");
   if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));
 
-  const FileLock lock(cache / (key + ".lock"));
+  const FileLock lock(cache / (netlist + ".lock"));
   if (fs::exists(kept)) return synthesis_result(nlohmann::json::parse(read_text(kept)));
-  if (progress) progress(fmt::format("synthesising {} for {}", top, cell_library_name(library)));
-  const TemporaryFolder folder{cache / (key + ".work")};
+  const TemporaryFolder folder{cache / (netlist + ".work")};
   fs::remove_all(folder.path);
   fs::create_directories(folder.path);
   job.folder = folder.path;
-  const SynthesisResult result = make(job);
-  const fs::path partial = cache / (key + ".partial");
-  std::ofstream(partial) << to_json(result).dump(1) << '\n';
-  fs::rename(partial, kept);
+  if (progress)
+    progress(fmt::format("{} {} for {}", fs::exists(unchecked(cache, netlist)) ? "comparing" : "synthesising", top,
+                         cell_library_name(library)));
+  SynthesisResult result = kept_netlist(job, cache, netlist);
+  result.checked = checked(job, cache / (netlist + ".blif"));
+  keep(result, kept);
   return result;
 }
 

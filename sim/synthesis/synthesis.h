@@ -64,8 +64,10 @@ struct NetlistChecked {
   // Registers and outputs, and those that have been 0 and 1 while all was compared.
   int registers = 0, registers_changed = 0;
   int outputs = 0, outputs_changed = 0;
-  // Single faults put into the netlist, and those that the same inputs found.
-  int faults = 0, faults_found = 0;
+  // Single faults put into the netlist, those that the same inputs found, those that are proved to change nothing, and
+  // what the rest are.
+  int faults = 0, faults_found = 0, faults_redundant = 0;
+  std::vector<std::string> faults_missed;
 };
 
 struct SynthesisResult {

@@ -70,18 +70,19 @@ constexpr const char* kText = R"(module wrinkle_check;
   reg [{inputs}:0] words [0:{clocks}-1];
   reg [{widest}:0] state [0:{states}-1];
   wire [{outputs}:0] result;
-  integer i, first, file;
+  integer i, first, file, episode;
   {top} {parameters} verilog ({connections});
   initial begin
     clk = 0;
     $readmemb("{folder}/inputs", words);
     $readmemb("{folder}/state", state);
+    if (!$value$plusargs("episode=%d", episode)) $finish;
     file = $fopen("{folder}/results", "w");
     // Whatever waits for a change waits before the first one.
     #1 first = 0;
     for (i = 0; i < {clocks}; i = i + 1) begin
       word = words[i];
-      if (i % {episode} == 0) begin
+      if (i % episode == 0) begin
 {settings}        first = first + {registers};
       end
       #1 $fdisplay(file, "%b", {{{values}result}});
@@ -110,11 +111,11 @@ std::string testbench_text(const Testbench& bench, const CheckOptions& options) 
     values.insert(0, fmt::format("verilog.{}, ", one.path));
     widest = std::max(widest, one.bits);
   }
-  const int episodes = (bench.clocks + bench.episode - 1) / bench.episode;
+  const int episodes = (bench.clocks + bench.shortest_episode - 1) / bench.shortest_episode;
   return fmt::format(
       kText, fmt::arg("inputs", std::max<std::size_t>(bench.inputs.nets.size(), 1) - 1),
       fmt::arg("outputs", bench.outputs.nets.size() - 1), fmt::arg("clocks", bench.clocks),
-      fmt::arg("episode", bench.episode), fmt::arg("widest", widest - 1),
+      fmt::arg("widest", widest - 1),
       fmt::arg("states", std::max<std::size_t>(1, bench.registers.size()) * static_cast<std::size_t>(episodes)),
       fmt::arg("registers", bench.registers.size()), fmt::arg("settings", settings), fmt::arg("values", values),
       fmt::arg("top", options.top), fmt::arg("parameters", parameters), fmt::arg("connections", connections.substr(2)),

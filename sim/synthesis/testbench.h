@@ -29,12 +29,12 @@ struct Testbench {
   bool has_clock = false;
   std::vector<Register> registers;
   int clocks = 1000;
-  int episode = 64;  // clocks between two settings of all registers
+  int shortest_episode = 64;
 };
 
 // A module `wrinkle_check` around the Verilog of `options`. It reads a line for each clock from `inputs` in the folder
-// of the check and a line for each register and episode from `state`; into `results` it writes, for each clock, all
-// registers, the first one last, and behind them the outputs.
+// of the check and a line for each register and episode from `state`, at +episode=CLOCKS from each other; into
+// `results` it writes, for each clock, all registers, the first one last, and behind them the outputs.
 std::string testbench_text(const Testbench& bench, const CheckOptions& options);
 
 }  // namespace wrinkle

@@ -9,6 +9,7 @@
 
 #include <bit>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -61,6 +62,8 @@ struct Instance {
   std::vector<Wire> wires;
 #ifdef WRINKLE_TRACE
   std::unique_ptr<VerilatedFstC> trace;
+  wrinkle::TraceRequest request{};
+  std::uint32_t code = 0;  // of the first added signal; each has two
 #endif
 };
 
@@ -119,16 +122,53 @@ void read(const Vwrinkle_core& core, OutputPins& pins) {
 }
 
 #ifdef WRINKLE_TRACE
+constexpr std::uint64_t kClock = 1000;  // in picoseconds, Verilator's unit
+
+// The wires as they are before the edge, under a clock that is high in the first half.
 void dump(Instance& model) {
-  if (model.trace) model.trace->dump(model.context.time());
-  model.context.timeInc(1);
+  if (!model.trace) return;
+  model.core->eval();
+  const std::uint64_t start = kClock * model.request.clock++;
+  model.core->clk = 1;
+  model.trace->dump(start);
+  model.core->clk = 0;
+  model.core->eval();  // else Verilator takes it that nothing has changed
+  model.trace->dump(start + kClock / 2);
+}
+
+void declare_added(void* user, VerilatedFst* trace, std::uint32_t code) {
+  Instance& model = *static_cast<Instance*>(user);
+  model.code = code;
+  for (std::size_t i = 0; i < model.request.count; ++i, code += 2) {
+    const wrinkle::TraceSignal& signal = model.request.signals[i];
+    std::string name = signal.name;
+    for (char& c : name) c = c == '.' ? ' ' : c;  // Verilator's own divider of scopes
+    if (signal.bits == 0) trace->declDouble(code, name.c_str(), -1, FST_VD_IMPLICIT, FST_VT_VCD_REAL, false, -1);
+    if (signal.bits == 1) trace->declBit(code, name.c_str(), -1, FST_VD_IMPLICIT, FST_VT_VCD_WIRE, false, -1);
+    if (signal.bits > 1)
+      trace->declQuad(code, name.c_str(), -1, FST_VD_IMPLICIT, FST_VT_VCD_WIRE, false, -1, signal.bits - 1, 0);
+  }
+}
+
+template <bool all>
+void dump_added(void* user, VerilatedFst::Buffer* buffer) {
+  const Instance& model = *static_cast<Instance*>(user);
+  std::uint32_t code = model.code;
+  for (std::size_t i = 0; i < model.request.count; ++i, code += 2) {
+    const wrinkle::TraceSignal& signal = model.request.signals[i];
+    std::uint32_t* const old = buffer->oldp(code);
+    if (signal.bits == 0) all ? buffer->fullDouble(old, signal.number) : buffer->chgDouble(old, signal.number);
+    if (signal.bits == 1) all ? buffer->fullBit(old, signal.integer != 0) : buffer->chgBit(old, signal.integer != 0);
+    if (signal.bits > 1)
+      all ? buffer->fullQData(old, signal.integer, signal.bits) : buffer->chgQData(old, signal.integer, signal.bits);
+  }
 }
 #else
 void dump(Instance&) {}
 #endif
 
-// The falling edge changes nothing but the clock. Verilator needs to know of it before the next rising one, but need not
-// evaluate the model for it.
+// The falling edge changes nothing but the clock. Verilator needs to know of it before the next rising one, but need
+// not evaluate the model for it.
 void fall(Vwrinkle_core& core) {
   core.clk = 0;
   core.rootp->__Vtrigrprev__TOP__clk = 0;
@@ -146,11 +186,10 @@ void settle(void* model, const InputPins* pins) {
 void clock(void* model, Pins* pins) {
   Instance& self = instance(model);
   drive(*self.core, *pins);
+  dump(self);
   self.core->clk = 1;
   self.core->eval();
-  dump(self);
   fall(*self.core);
-  dump(self);
   read(*self.core, *pins);
 }
 
@@ -160,11 +199,15 @@ const Wire* wires(void* model, std::size_t* count) {
 }
 
 #ifdef WRINKLE_TRACE
-bool trace_open(void* model, const char* path) {
+bool trace_open(void* model, const wrinkle::TraceRequest* request) {
   Instance& self = instance(model);
+  self.request = *request;
   self.trace = std::make_unique<VerilatedFstC>();
   self.core->trace(self.trace.get(), 99);
-  self.trace->open(path);
+  self.trace->spTrace()->addInitCb(declare_added, &self);
+  self.trace->spTrace()->addFullCb(dump_added<true>, &self);
+  self.trace->spTrace()->addChgCb(dump_added<false>, &self);
+  self.trace->open(request->path);
   return true;
 }
 
@@ -174,7 +217,7 @@ void trace_close(void* model) {
   instance(model).trace.reset();
 }
 #else
-bool trace_open(void*, const char*) { return false; }
+bool trace_open(void*, const wrinkle::TraceRequest*) { return false; }
 void trace_close(void*) {}
 #endif
 

@@ -192,24 +192,5 @@ TEST(Model, FailureToBuildShowsWhatTheToolSays) {
   }
 }
 
-TEST(Model, WaveformIsWrittenAroundADifference) {
-  const fs::path root = scratch("waveform");
-  fs::copy(fs::path(WRINKLE_SOURCE_DIR) / "rtl", root / "rtl", fs::copy_options::recursive);
-  const fs::path file = root / "rtl" / "stage" / "wrinkle_output.v";
-  std::string text = read_text(file);
-  const std::string from = ".data_i(colour)";
-  ASSERT_NE(text.find(from), text.npos);
-  text.replace(text.find(from), from.size(), ".data_i(colour ^ (carried[3:0] == 9))");
-  std::ofstream(file) << text;
-  BenchOptions options;
-  options.model = {root, root / "cache", false, false};
-  options.trace = root / "difference.fst";
-  const BenchResult result = run_bench(small_config(), short_frame(25, 2000), options);
-  ASSERT_TRUE(result.first.has_value());
-  EXPECT_EQ(result.first->stage, "output");
-  EXPECT_EQ(result.first->trace, options.trace);
-  EXPECT_GT(fs::file_size(options.trace), 1000U);
-}
-
 }  // namespace
 }  // namespace wrinkle

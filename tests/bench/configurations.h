@@ -86,6 +86,18 @@ inline std::vector<Rival> rivals() {
          c.dot_bits = 6;
        })},
       {"reflection", with([&](Config& c) { lit(c, Lighting::kReflection); })},
+      {"gloss_without_decal", with([](Config& c) {
+         c.gloss_map = 1;
+         c.decal = 0;
+       })},
+      {"gloss_of_a_texel_over_64_bits", with([](Config& c) {
+         c.gloss_map = 1;
+         c.texel_bits = 10;
+       })},
+      {"shared_gloss", with([](Config& c) {
+         c.sharing = c.gloss_map = 1;
+         c.channels = 0;
+       })},
       {"compact_lite_near", with([](Config& c) {
          c.normalizer_n = static_cast<int>(Normalizer::kCompact);
          c.normalizer_l = static_cast<int>(Normalizer::kLite);
@@ -138,7 +150,7 @@ inline Config longest_packet() {
     if (parameter.values.empty()) config.*parameter.member = parameter.maximum;
   config.datapath = static_cast<int>(Datapath::kBlinn);
   config.q_bits = config.reciprocal_bits + 1;
-  config.perspective = config.depth = config.decal = 1;
+  config.perspective = config.depth = config.decal = config.gloss_map = 1;
   return config;
 }
 
@@ -185,6 +197,7 @@ inline Config spread_config(int index) {
       config.*normalizer = std::min(config.*normalizer, static_cast<int>(Normalizer::kFaithful));
   }
   if (Shape(config).normal_any_length != 0) config.normalizer_n = static_cast<int>(Normalizer::kFaithful);
+  if (Shape(config).glossy == 0) config.gloss_map = 0;
   if (config.is(Lighting::kPixelHalfangle)) config.normalizer_h = static_cast<int>(Normalizer::kFaithful);
   return config;
 }

@@ -77,6 +77,7 @@ inline void make_legal(Config& c, Random& random) {
   if (c.sharing != 0) share_units(c);
   if (c.normalize_order != 0) normalize_after(c);
   if (Shape(c).normal == 0) c.light_vectors = 0;
+  if (Shape(c).glossy == 0) c.gloss_map = 0;
   const auto of_any_length = [&] { return random.between(1, 3); };
   if (c.datapath == static_cast<int>(Datapath::kBlinn)) c.normalizer_n = of_any_length();
   if (c.is(Lighting::kPixelHalfangle)) c.normalizer_h = of_any_length();

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,9 +19,11 @@
 #include "tb/model.h"
 #include "tb/process.h"
 #include "tb/random_frame.h"
+#include "tb/random_texels.h"
 #include "tb/tap_recorder.h"
 #include "tb/texel_store.h"
 #include "tests/bench/configurations.h"
+#include "tests/bench/verilog_copy.h"
 
 namespace wrinkle {
 namespace {
@@ -290,6 +293,67 @@ TEST(Streams, TexelsWiderThanAWordReachTheCore) {
     EXPECT_TRUE(run_bench(config, stream, wide, frame.name, options, sinks).equal());
     EXPECT_EQ(fragments, expected) << (direct ? "direct" : "transactions");
   }
+  fs::remove_all(root);
+}
+
+// The core by the widest texel there may be: a bump map of nine components, of which the datapath reads the first
+// three, a base colour and a gloss. It draws what the core with three components draws.
+TEST(Streams, ThirteenComponentsReachTheirStages) {
+  Config config = small_config();
+  config.gloss_map = 1;
+  config.texel_bits = 10;
+  const fs::path root = copy_verilog("thirteen");
+  std::string text = read_text(root / "rtl" / "wrinkle_config.vh");
+  const auto replace = [&](const std::regex& from, const std::string& to) {
+    EXPECT_TRUE(std::regex_search(text, from)) << to;
+    text = std::regex_replace(text, from, to);
+  };
+  replace(std::regex("localparam BUMP_COMPONENTS = [^;]*;"), "localparam BUMP_COMPONENTS = 9;");
+  replace(std::regex(R"(\.BUMP\(BUMP\))"), ".BUMP(NORMAL)");
+  replace(std::regex(R"(\.bump_i\(texture_bump\))"), ".bump_i(texture_bump[NORMAL-1:0])");
+  std::ofstream(root / "rtl" / "wrinkle_config.vh") << text;
+
+  RandomFrame wish;
+  wish.seed = 9;
+  wish.fragments = 3000;
+  const Frame frame = random_frame(config, wish);
+  std::vector<Fragment> fragments;
+  BenchSinks sinks;
+  sinks.fragments = [&](std::span<const Fragment> block) {
+    fragments.insert(fragments.end(), block.begin(), block.end());
+  };
+  ASSERT_TRUE(run_bench(config, frame, {}, sinks).equal());
+  const std::vector<Fragment> expected = std::exchange(fragments, {});
+  ASSERT_GT(expected.size(), 1000U);
+
+  std::vector<Texture> wide = frame.textures;
+  Random random(13);
+  for (std::size_t t = 0; t < wide.size(); ++t) {
+    wide[t].components = 13;
+    for (std::size_t level = 0; level < wide[t].levels.size(); ++level) {
+      const auto& narrow = frame.textures[t].levels[level];
+      const std::size_t texels = narrow.size() / static_cast<std::size_t>(frame.textures[t].texel_words());
+      auto& words = wide[t].levels[level];
+      words.assign(texels * static_cast<std::size_t>(wide[t].texel_words()), 0);
+      for (std::size_t i = 0; i < texels; ++i) {
+        for (int k = 0; k < 13; ++k) {
+          const bool unread = k >= 3 && k < 9;
+          const std::uint64_t code =
+              unread ? random.next() & 1023 : frame.textures[t].code(narrow, i, k < 3 ? k : k - 6);
+          put_code(wide[t], words, i, k, code);
+        }
+      }
+    }
+  }
+  ASSERT_EQ(wide[0].components * wide[0].component_bits, kMaxTexelWidth);
+  BenchOptions options;
+  options.compare = options.blame = false;  // the golden model knows no such textures
+  options.stalls = StallProfile::kRandom;
+  options.model.source_root = root;
+  options.model.cache = root / "cache";
+  options.model.optimize = false;
+  EXPECT_TRUE(run_bench(config, build_packets(config, frame), wide, frame.name, options, sinks).equal());
+  EXPECT_EQ(fragments, expected);
   fs::remove_all(root);
 }
 

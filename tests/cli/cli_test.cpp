@@ -212,6 +212,8 @@ TEST_F(Cli, LossesAreNoted) {
   EXPECT_THAT(said("patch_fig6 -c phong"), HasSubstr("bumps are not drawn"));
   EXPECT_THAT(said("patch_fig6 --set lighting=diffuse"), HasSubstr("highlights are not drawn"));
   EXPECT_THAT(said("patch_fig6 --set specular_squarings=3"), HasSubstr("2^specular_squarings (3)"));
+  EXPECT_THAT(said("patch_gloss -c fine"), HasSubstr("gloss maps are not drawn (gloss_map = off)"));
+  EXPECT_THAT(said("patch_gloss"), testing::Not(HasSubstr("not drawn")));
   EXPECT_THAT(said("patch_fig6"), testing::Not(HasSubstr("not drawn")));
 }
 

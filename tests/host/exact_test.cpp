@@ -97,6 +97,14 @@ TEST(Exact, LightsAsTheFormulaSays) {
   config.decal = 1;
   add_texture(frame, {0, 0, 1}, {0.5, 0.5, 0.5});
   EXPECT_NEAR(fragments(config, frame).at(3).colour.x, (0.1 + 0.5 * 0.8) * 0.5 + 0.2 * 0.81, 1e-12);
+  config.gloss_map = 1;
+  frame.exact_textures[0].levels[0][0].gloss = 0.25F;
+  const ExactFragment glossed = fragments(config, frame).at(3);
+  EXPECT_NEAR(glossed.specular, 0.81, 1e-12);
+  EXPECT_NEAR(glossed.gloss, 0.25, 1e-12);
+  EXPECT_NEAR(glossed.colour.x, (0.1 + 0.5 * 0.8) * 0.5 + 0.25 * 0.2 * 0.81, 1e-12);
+  config.gloss_map = 0;
+  EXPECT_EQ(fragments(config, frame).at(3).gloss, 1);
   frame.draws[0].state.bump = false;
   EXPECT_NEAR(fragments(config, frame).at(3).nl, 0.6, 1e-15) << "the interpolated normal";
   frame.draws[0].state.material.exponent = 0;

@@ -118,6 +118,14 @@ TEST(MeshTruth, WhatIsLeftOutIsAnErrorOfTheMethod) {
   EXPECT_GT(loss(&Config::specular_squarings, 3), 10) << "the exponent 16, drawn as 8";
   EXPECT_GT(loss(&Config::datapath, 0), 5) << "bumps";
   EXPECT_GT(loss(&Config::channels, 0), 10) << "colours";
+  Scene worn = scene;
+  ExactTexture texture = *scene.objects[0].texture;
+  for (auto& level : texture.levels)
+    for (ExactTexel& texel : level) texel.gloss = 0.2F;
+  worn.objects[0].texture = std::make_shared<ExactTexture>(texture);
+  Config glossed = configured();
+  glossed.gloss_map = 1;
+  EXPECT_GT(method_db(glossed, worn), method_db(configured(), worn) + 10) << "gloss";
   Scene coarse = mesh_scene(without_surfaces(tessellate(make_rectangle(), 1, 1)));
   Config affine = configured();
   affine.perspective = 0;

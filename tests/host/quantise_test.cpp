@@ -84,6 +84,29 @@ TEST(Quantise, ComponentsFollowTheConfiguration) {
   EXPECT_EQ(decal_alone.levels[0][0], (1u << 30) - 1);  // white
 }
 
+// The gloss is the last component, whatever comes before it.
+TEST(Quantise, GlossIsTheLastComponent) {
+  Grid<Vec3> gloss(2, 1, {1, 1, 1});
+  gloss.at(0, 0) = {0.2, 0.2, 0.2};
+  const ExactTexture exact = assemble(normal_mips(NormalMap(2, 1, {0, 0, 1})), {}, colour_mips(gloss));
+  for (const int datapath : {0, 1, 2, 3, 4}) {
+    for (const int decal : {0, 1}) {
+      Config config = config_with(Decode::kRange, 10, decal);
+      config.datapath = datapath;
+      config.gloss_map = 1;
+      const Texture texture = quantise(exact, config);
+      ASSERT_EQ(texture.components, Shape(config).bump_components + 3 * decal + 1);
+      const int last = texture.components - 1;
+      EXPECT_EQ(texture.code(texture.levels[0], 0, last), 205u);  // 0.2 * 1023
+      EXPECT_EQ(texture.code(texture.levels[0], 1, last), 1023u);
+      EXPECT_EQ(texture.code(texture.levels[1], 0, last), 614u);  // the mean
+      if (decal != 0) {
+        EXPECT_EQ(texture.code(texture.levels[0], 0, last - 1), 1023u);
+      }
+    }
+  }
+}
+
 TEST(Quantise, ChainsOfDifferentSizesMeetAtTheLarger) {
   NormalMap normals(2, 2, {0, 0, 1});
   normals.at(0, 0) = {1, 0, 0};

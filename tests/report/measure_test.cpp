@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(Datapaths, Replays,
                                          std::pair{"reflection", "patch_reflection"},
                                          std::pair{"pixel_halfangle", "patch_pixel_halfangle"},
                                          std::pair{"object_constant", "patch_object"},
-                                         std::pair{"deferred", "patch_fig6"}));
+                                         std::pair{"deferred", "patch_fig6"}, std::pair{"gloss", "patch_gloss"}));
 
 // The limits that `smallest` is made for: 45 dB on the paper's patch, 12,061 NAND2 for a complete Fig. 3.
 TEST(Shading, SmallestIsSmallAndPreciseEnough) {

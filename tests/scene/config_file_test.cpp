@@ -37,7 +37,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadConfig{
             "ChoiceAsInteger", "filter = 1\n", {":1:10", "integer 1", "\"nearest\", \"bilinear\" or \"trilinear\""}},
         BadConfig{"ChoiceAsTable", "[filter]\n", {":1:1", "a table", "\"nearest\""}},
-        BadConfig{"PowerBelowDot", "dot_bits = 12\npower_bits = 10\n", {":2:14", "power_bits = 10", "at least dot_bits (12)"}},
+        BadConfig{"PowerBelowDot",
+                  "dot_bits = 12\npower_bits = 10\n",
+                  {":2:14", "power_bits = 10", "at least dot_bits (12)"}},
         BadConfig{"DotAboveTwiceUnit", "unit_bits = 6\ndot_bits = 13\npower_bits = 18\n", {":2:12", "dot_bits = 13"}},
         BadConfig{"ReciprocalBelowQ",
                   "perspective = \"on\"\nq_bits = 20\nreciprocal_bits = 12\n",
@@ -59,6 +61,9 @@ TEST(ConfigFile, NamedConfigurationsAreLegalAndDiffer) {
   EXPECT_EQ(load_config("fine").unit_bits, 12);
   EXPECT_EQ(load_config("fine").screen_size(), 4096);
   EXPECT_EQ(load_config("extreme").unit_bits, 16);
+  Config gloss = load_config("fine");
+  gloss.gloss_map = 1;
+  EXPECT_EQ(load_config("gloss"), gloss);
   Config perspective = load_config("perspective");
   EXPECT_EQ(perspective.perspective, 1);
   perspective.perspective = 0;

@@ -237,7 +237,7 @@ TEST(ObjScene, WhatIsNotAppliedIsNoted) {
   const Folder folder;
   for (const Line& line :
        {Line{"d 0.5", "a.mtl:3:1: the keyword \"d\""}, Line{"Tr 0.2", "\"Tr\""}, Line{"illum 1", "illum 1"},
-        Line{"illum 7", "illum 7"}, Line{"disp h.png", "\"disp\""}, Line{"map_Ks s.png", "\"map_Ks\""},
+        Line{"illum 7", "illum 7"}, Line{"disp h.png", "\"disp\""}, Line{"map_Ns s.png", "\"map_Ns\""},
         Line{"map_d a.png", "\"map_d\""}, Line{"refl -type sphere r.png", "\"refl\""}, Line{"Ke 1 1 1", "\"Ke\""},
         Line{"Pr 0.3", "\"Pr\""}, Line{"Kd spectral a.rfl 1", "spectral"}, Line{"Ks 2 2 2", "Ks over 1"},
         Line{"Shine 3", "\"Shine\""}}) {
@@ -407,7 +407,7 @@ TEST(ObjScene, EveryCaseOfTinyobjloaderIsReadOrRefusedForItsNumbers) {
   const Folder folder;
   fs::copy(cases, folder.path(), fs::copy_options::recursive);
   for (const char* name : {"bumpmap.jpg", "bumpmap2.jpg", "diffuse.jpg", "input.jpg", "tmp.png", "bump.jpg",
-                           "normalmap.jpg", "normalmap.tex", "texture 01.png", "bump 01.png"}) {
+                           "normalmap.jpg", "normalmap.tex", "texture 01.png", "bump 01.png", "specular.jpg"}) {
     write_map(folder.path() / name, false);
   }
   int read = 0;

@@ -1,6 +1,7 @@
 // Configurations: the list of parameters, the rules, the width of a lane.
 #include "golden/config/config.h"
 
+#include "golden/datapath/datapaths.h"
 #include "tests/stage/support.h"
 
 namespace wrinkle {
@@ -69,6 +70,19 @@ TEST(Config, RulesOfTheRivals) {
   EXPECT_EQ(Shape(blinn).texels, 2);
   EXPECT_EQ(Shape(blinn).normal_width, blinn.wide_bits + 3);
   EXPECT_EQ(Shape(with({{&Config::light_vectors, 1}})).draw_words, 6);
+}
+
+// A gloss multiplies a highlight, with a base colour or without, in every datapath.
+TEST(Config, RulesOfTheGlossMap) {
+  EXPECT_EQ(check(with({{&Config::gloss_map, 1}, {&Config::lighting, 0}})).key, "gloss_map");
+  for (int datapath = 0; datapath <= static_cast<int>(Datapath::kOffset); ++datapath) {
+    for (int decal : {0, 1}) {
+      const Config config = with({{&Config::datapath, datapath}, {&Config::gloss_map, 1}, {&Config::decal, decal}});
+      EXPECT_EQ(check(config).message, "");
+      EXPECT_EQ(Shape(config).textured, 1);
+      EXPECT_EQ(Shape(config).texels, Shape(config).bump_components + 3 * decal + 1);
+    }
+  }
 }
 
 // One unit in turn: three vectors, one kind of normalizer, and a highlight by H. Buffering is free.

@@ -15,6 +15,7 @@
 #include "golden/pixel/stages.h"
 #include "hwy/targets.h"
 #include "tb/random_config.h"
+#include "tb/random_texels.h"
 
 namespace wrinkle {
 
@@ -53,7 +54,7 @@ inline Config extreme(bool highest) {
   if (highest) config.q_bits = config.reciprocal_bits + 1;
   config.reciprocal_bits = std::max(config.reciprocal_bits, config.q_bits - 1);
   config.perspective = 1;
-  config.decal = 1;
+  config.decal = config.gloss_map = 1;
   return config;
 }
 
@@ -93,6 +94,13 @@ inline std::vector<NamedConfig> configurations(int random_count = 12) {
       {"bilinear", with({{&Config::filter, 1}, {&Config::decode, 1}})},
       {"perspective", with({{&Config::perspective, 1}})},
       {"decal", with({{&Config::decal, 1}, {&Config::depth, 0}})},
+      {"gloss", with({{&Config::gloss_map, 1}})},
+      {"gloss and decal of a texel over 64 bits",
+       with({{&Config::gloss_map, 1}, {&Config::decal, 1}, {&Config::texel_bits, 10}})},
+      {"phong with gloss", with({{&Config::datapath, 0}, {&Config::gloss_map, 1}, {&Config::channels, 0}})},
+      {"rotated with gloss, nearest", with({{&Config::datapath, 3}, {&Config::gloss_map, 1}, {&Config::filter, 0}})},
+      {"narrowest colour with widest gloss",
+       with({{&Config::gloss_map, 1}, {&Config::colour_bits, 4}, {&Config::texel_bits, 10}})},
       {"blinn", with({{&Config::datapath, 2}})},
       {"blinn with decal, constant cross products",
        with({{&Config::datapath, 2}, {&Config::decal, 1}, {&Config::cross_products, 1}, {&Config::filter, 1}})},
@@ -166,7 +174,7 @@ void fill(const Config& config, std::uint64_t seed, Batch<Int>& batch) {
 inline DrawWords random_draw(const Shape& config, Random& random) {
   DrawWords draw;
   draw.bump = config.bump_components != 0 && uniform(random, 0, 2) != 0;
-  draw.textured = config.textured != 0 && (draw.bump || config.decal != 0);
+  draw.textured = config.textured != 0 && (draw.bump || config.tints != 0);
   draw.shadow = uniform(random, 0, 1) != 0;
   draw.exponent_zero = uniform(random, 0, 7) == 0;
   draw.wrap_u = static_cast<int>(uniform(random, 0, 2));
@@ -191,12 +199,13 @@ inline Texture random_texture(const Shape& config, const DrawWords& draw, Random
   texture.components = config.texels;
   texture.component_bits = config.texel_bits;
   for (int level = 0; level <= draw.max_level; ++level) {
-    auto& texels = texture.levels.emplace_back();
-    texels.resize(static_cast<std::size_t>(texture.width(level)) * static_cast<std::size_t>(texture.height(level)));
-    for (auto& texel : texels)
+    auto& words = texture.levels.emplace_back();
+    const int texels = texture.width(level) * texture.height(level);
+    words.resize(static_cast<std::size_t>(texels) * static_cast<std::size_t>(texture.texel_words()));
+    for (int i = 0; i < texels; ++i)
       for (int k = 0; k < texture.components; ++k)
-        texel |= static_cast<std::uint64_t>(pattern(random, {0, (1 << config.texel_bits) - 1}))
-                 << (k * config.texel_bits);
+        put_code(texture, words, static_cast<std::size_t>(i), k,
+                 static_cast<std::uint64_t>(pattern(random, {0, (1 << config.texel_bits) - 1})));
   }
   return texture;
 }

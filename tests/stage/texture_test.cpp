@@ -26,7 +26,10 @@ ExactTexture decoded(const Config& config, const Texture& texture) {
         const double code = static_cast<double>(texture.code(level, i, static_cast<int>(k)));
         const auto bump = static_cast<std::size_t>(Shape(config).bump_components);
         const double half = std::ldexp(1.0, t - 1);
-        if (k >= bump)
+        const auto colours = static_cast<std::size_t>(Shape(config).colours);
+        if (k >= bump + colours)
+          texel.gloss = static_cast<float>(std::ldexp(code, -t));
+        else if (k >= bump)
           texel.colour[k - bump] = static_cast<float>(std::ldexp(code, -t));
         else
           texel.bump[k] = static_cast<float>(Shape(config).bump_saturates != 0 ? code / half - 1
@@ -44,7 +47,7 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
   Worst normal("texture normal, share of 2^(1-B) + ulp/2", 1);
   // One ulp: what rounds up to 1 saturates.
   Worst saturated("texture slope or offset, share of 2^(1-B) + ulp", 1),
-      decal("texture decal, share of 2^-B + ulp/2", 1);
+      decal("texture decal or gloss, share of 2^-B + ulp/2", 1);
   std::uint64_t seed = base_seed();
   for (auto [name, config] : configurations(60)) {
     if (Shape(config).textured == 0) continue;
@@ -82,11 +85,11 @@ TEST(Texture, SamplesStayWithinTheirBounds) {
         else
           normal.see(error / (2 * weight_error + bump_ulp / 2 + 1e-6));
       }
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (config.decal != 0)
-          decal.see((real(batch->texture_decal[k][i], config.texel_bits) - want.colour[k]) /
-                    (weight_error + decal_ulp / 2 + 1e-6));
-      }
+      const auto see = [&](std::int64_t code, double value) {
+        decal.see((real(code, config.texel_bits) - value) / (weight_error + decal_ulp / 2 + 1e-6));
+      };
+      for (std::size_t k = 0; k < batch->texture_decal.size(); ++k) see(batch->texture_decal[k][i], want.colour[k]);
+      for (const auto& column : batch->texture_gloss) see(column[i], want.gloss);
     }
   }
 }
@@ -231,16 +234,17 @@ TEST(Texture, OpposedTexelsCancel) {
       << "44: half way between opposed levels";
 }
 
-TEST(Texture, WithoutTexelsNormalIsZeroAndDecalWhite) {
-  const Config config = with({{&Config::decal, 1}});
+TEST(Texture, WithoutTexelsNormalIsZeroDecalWhiteAndGlossFull) {
+  const Config config = with({{&Config::decal, 1}, {&Config::gloss_map, 1}});
   Context context = make_context(config);
   set_draw(context, {}, nullptr);
   auto batch = std::make_unique<Batch<std::int64_t>>(context.config);
   batch->count = 1;
-  batch->texture_bump[1][0] = batch->texture_decal[1][0] = 77;
+  batch->texture_bump[1][0] = batch->texture_decal[1][0] = batch->texture_gloss[0][0] = 77;
   batch = run_one(context, kTexture, std::move(batch));
   EXPECT_EQ(batch->texture_bump[1][0], 0);
   EXPECT_EQ(batch->texture_decal[1][0], 255);
+  EXPECT_EQ(batch->texture_gloss[0][0], 255);
 }
 
 // 4,500 samples by OpenGL's rule in double precision, made elsewhere. The bound in codes: u and v have 12 fraction

@@ -135,7 +135,7 @@ endmodule
     check_netlist(options_);
     FAIL() << "not refused";
   } catch (const SynthesisError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("kept_q[0] of latch never changed in 40000 clocks"));
+    EXPECT_THAT(error.what(), HasSubstr("kept_q[0] of latch never changed in 100000 clocks"));
   }
 }
 
@@ -154,6 +154,79 @@ TEST_F(NetlistCheck, RegistersWithoutNamesAreForgotten) {
   EXPECT_EQ(checked.outputs_changed, 2);
   spoil("inside[1]", "D=", "D=$true UNUSED=");
   expect_refused("delayed");
+}
+
+// A buffer so deep that each of its places is seldom written.
+TEST_F(NetlistCheck, EveryPlaceOfADeepBufferChanges) {
+  make("deep", R"(
+module deep (input clk, input rst, input push_valid_i, input pop_ready_i, input [3:0] data_i, output full_o,
+             output [3:0] data_o);
+  reg [3:0] memory_q [0:63];
+  reg [5:0] write_q, read_q;
+  reg [6:0] count_q;
+  wire push = push_valid_i & ~count_q[6], pop = pop_ready_i & |count_q;
+  assign full_o = count_q[6];
+  assign data_o = memory_q[read_q];
+  always @(posedge clk) begin
+    if (push) memory_q[write_q] <= {&data_i, data_i[2:0]};
+    write_q <= rst ? 6'd0 : write_q + {5'd0, push};
+    read_q  <= rst ? 6'd0 : read_q + {5'd0, pop};
+    count_q <= rst ? 7'd0 : count_q + {6'd0, push} - {6'd0, pop};
+  end
+endmodule
+)",
+       "read_verilog " + (options_.folder / "source.v").string() +
+           "\nsynth -flatten\ndfflegalize -cell $_DFF_P_ x\nopt_clean");
+  const NetlistChecked checked = check_netlist(options_);
+  EXPECT_EQ(checked.registers, 64 * 4 + 19);
+  EXPECT_EQ(checked.registers_changed, checked.registers);
+}
+
+// y is a whatever the second gate does: its faults are proved to change nothing, all others are found.
+TEST_F(NetlistCheck, FaultsThatChangeNothingAreProvedToChangeNothing) {
+  make("absorbed", R"(
+module absorbed (input a_i, input b_i, output y_o, output z_o);
+  wire both, either;
+  \$_AND_ and_gate (.A(a_i), .B(b_i), .Y(both));
+  \$_OR_ or_gate (.A(a_i), .B(both), .Y(y_o));
+  \$_XOR_ xor_gate (.A(a_i), .B(b_i), .Y(z_o));
+endmodule
+)",
+       "read_verilog -icells " + (options_.folder / "source.v").string() + "\nhierarchy -top absorbed");
+  std::ofstream(options_.sources[0]) << R"(
+module absorbed (input a_i, input b_i, output y_o, output z_o);
+  assign y_o = a_i, z_o = a_i ^ b_i;
+endmodule
+)";
+  options_.faults = 100;
+  const NetlistChecked checked = check_netlist(options_);
+  EXPECT_GT(checked.faults_redundant, 10);
+  EXPECT_GT(checked.faults_found, 50);
+  EXPECT_EQ(checked.faults_found + checked.faults_redundant, 100);
+  EXPECT_THAT(checked.faults_missed, ::testing::IsEmpty());
+}
+
+// Cells that stay modules: each instance has gates of its own.
+TEST_F(NetlistCheck, CellsMayStayModules) {
+  make("parts", R"(
+module part (input clk, input step_i, output reg out_o);
+  always @(posedge clk) out_o <= ~step_i;
+endmodule
+module parts (input clk, input [2:0] step_i, output [2:0] step_o);
+  wire [2:0] early_q;
+  part first (.clk(clk), .step_i(step_i[0]), .out_o(early_q[0]));
+  part second (.clk(clk), .step_i(step_i[1]), .out_o(early_q[1]));
+  part third (.clk(clk), .step_i(step_i[2]), .out_o(early_q[2]));
+  assign step_o = early_q;
+endmodule
+)",
+       "read_verilog " + (options_.folder / "source.v").string() + "\nhierarchy -top parts\nproc\nsimplemap\nclean");
+  EXPECT_THAT(read_text(options_.gates), HasSubstr(".subckt part"));
+  options_.keeps_registers = false;
+  const NetlistChecked checked = check_netlist(options_);
+  EXPECT_EQ(checked.outputs_changed, 3);
+  spoil(".model part", "$_NOT_", "$_BUF_");
+  expect_refused("parts");
 }
 
 TEST_F(NetlistCheck, AMissingResetIsRefused) {
@@ -282,10 +355,10 @@ TEST_F(NetlistCheck, ItsWordsFindNinetyNineOfAHundredFaults) {
   SynthesisOptions options;
   options.cache = options_.folder / "cache";
   options.faults = 300;
-  for (const char* stage : {"wrinkle_packet", "wrinkle_scan"}) {
+  for (const char* stage : {"wrinkle_packet", "wrinkle_scan", "wrinkle_output"}) {
     const NetlistChecked checked = synthesise(stage, {}, CellLibrary::kOsu035, options).checked;
     EXPECT_EQ(checked.faults, 300) << stage;
-    EXPECT_GE(checked.faults_found, 297) << stage;
+    EXPECT_GE(checked.faults_found + checked.faults_redundant, 297) << stage;
   }
 }
 

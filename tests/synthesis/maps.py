@@ -284,7 +284,7 @@ def prove_solved(maps, widths, names, folder):
     for design, folder_of_maps in (("plain", None), ("mapped", maps)):
         sub = folder / design
         sub.mkdir(exist_ok=True)
-        script += read_script(folder_of_maps, widths, sub) + f"flatten\ndesign -save {design}\n" + "design -reset\n"
+        script += read_script(folder_of_maps, widths, sub) + f"flatten\nopt_clean\ndesign -save {design}\n" + "design -reset\n"
     for name in names:
         script += (f"design -copy-from plain -as plain {name}\ndesign -copy-from mapped -as mapped {name}\n"
                    "memory_map\nexpose -dff -evert-dff plain mapped\nmiter -equiv -flatten -make_assert plain mapped miter\n"

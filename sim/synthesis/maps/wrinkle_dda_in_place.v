@@ -1,30 +1,32 @@
 `default_nettype none
-// rtl/unit/wrinkle_dda_in_place.v without the condition that no bit shifts, which a gate does not need: a simulator
-// passes over what shifts only there.
+// rtl/unit/wrinkle_dda_in_place.v with its sums as wires, of which one adder makes those that share it, and without the
+// condition that a word comes, which a gate does not need.
 module wrinkle_dda_in_place #(
   parameter WIDTH   = 12,
   parameter GUARD   = 10,
-  parameter SHARING = 0
+  parameter SHARING = 0,
+  parameter WORDS   = 3,
+  parameter PLACE   = 0
 ) (
-  input  wire                       clk,
-  input  wire [3*(WIDTH+GUARD)-1:0] shift_i,   // bits that take those of next_i, never during a walk
-  input  wire [3*(WIDTH+GUARD)-1:0] next_i,    // what shifts in: {dw, row, value}
-  input  wire                       step_i,    // the walk
-  input  wire                       carry_i,
-  input  wire                       span_i,
-  input  wire                       pixel_i,
-  output wire [3*(WIDTH+GUARD)-1:0] fields_o,  // {dw, row, value of the row}
-  output wire [WIDTH-1:0]           value_o
+  input  wire             clk,
+  input  wire [WORDS-1:0] words_i,  // the bit of a word of the planes part, which word_i is, never during a walk
+  input  wire [63:0]      word_i,
+  input  wire             step_i,   // the walk
+  input  wire             carry_i,
+  input  wire             span_i,
+  input  wire             pixel_i,
+  output wire [WIDTH-1:0] value_o
 );
   localparam BITS = WIDTH + GUARD;
 
-  reg [BITS-1:0]  row_value_q, row_q, dw_q, value_q;
+`include "wrinkle_written.vh"
+
+  reg [BITS-1:0] row_value_q, row_q, dw_q, value_q;
   wire [BITS-1:0] next_row_value, next_value;
   wire            to_row, to_pixel;
 
   wire unused_guard = &{1'b0, value_q};
   assign value_o  = value_q[BITS-1:GUARD];
-  assign fields_o = {dw_q, row_q, row_value_q};
 
   generate
     if (SHARING != 0) begin : one_adder
@@ -33,7 +35,7 @@ module wrinkle_dda_in_place #(
       wire [BITS-1:0] sum   = from + delta;
       assign next_row_value = sum;
       assign next_value     = sum;
-      assign to_row         = step_i | carry_i;
+      assign to_row         = (step_i | carry_i) & ~pixel_i;
       assign to_pixel       = span_i | pixel_i;
     end else begin : adders
       assign next_row_value = row_value_q + row_q + (carry_i ? dw_q : {BITS{1'b0}});
@@ -44,8 +46,9 @@ module wrinkle_dda_in_place #(
   endgenerate
 
   always @(posedge clk) begin
-    {dw_q, row_q, row_value_q} <= (shift_i & next_i) |
-                                  (~shift_i & {dw_q, row_q, to_row ? next_row_value : row_value_q});
+    row_value_q <= written(to_row ? next_row_value : row_value_q, PLACE, {1'b0, words_i}, word_i);
+    row_q       <= written(row_q, PLACE + BITS, {1'b0, words_i}, word_i);
+    dw_q        <= written(dw_q, PLACE + 2 * BITS, {1'b0, words_i}, word_i);
     if (to_pixel) value_q <= next_value;
   end
 endmodule
