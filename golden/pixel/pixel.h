@@ -93,7 +93,6 @@ class Golden {
     std::function<void(const Batch<std::int64_t>&)> wide;
   };
   // Draws all packets of the stream; words are whole packets. Batches are flushed at a draw packet and at the end.
-  // Throws std::invalid_argument at words that are no packet, and at a draw packet whose texture is not there.
   void draw(std::span<const std::uint64_t> words, const Sink& sink);
 
  private:

@@ -60,7 +60,6 @@ inline int triangle_word_count(const Shape& config) { return scan_word_count(con
 
 void encode(const Shape& config, const DrawWords& draw, std::vector<std::uint64_t>& words);
 void encode(const Shape& config, const TriangleWords& triangle, std::vector<std::uint64_t>& words);
-// These throw std::invalid_argument for words that are no packet of docs/formats.md.
 DrawWords decode_draw(const Shape& config, std::span<const std::uint64_t> words);
 TriangleWords decode_triangle(const Shape& config, std::span<const std::uint64_t> words);
 // The same into a triangle of this configuration.

@@ -3,30 +3,73 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <optional>
-#include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "golden/pixel/pixel.h"
-#include "tb/random_config.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace wrinkle::fuzz {
 namespace {
 
-constexpr std::size_t kConfigurations = 32;
-constexpr int kLargestScreen = 5;  // 32 by 32 pixels, so that no triangle is long in drawing
+constexpr int kScreenBits = 5;  // 32 by 32 pixels, so that no triangle is long in drawing
 constexpr std::size_t kMostFragments = 1024;
 
-Config configuration(std::size_t index) {
-  Config standard;
-  standard.screen_bits = kLargestScreen;
-  if (index == 0) return standard;
-  std::mt19937_64 random(index);
-  const auto between = [&](int low, int high) {
-    return low + static_cast<int>(random() % static_cast<std::uint64_t>(high - low + 1));
-  };
-  return random_config(between, kLargestScreen);
+// Inputs name a configuration by its place here: new ones go to the end.
+const std::vector<Config>& configurations() {
+  using C = Config;
+  using Changes = std::vector<std::pair<int Config::*, int>>;
+  static const std::vector<Changes> kChanges{
+      {},
+      {{&C::datapath, 0}, {&C::decal, 1}},
+      {{&C::datapath, 0}, {&C::filter, 0}, {&C::perspective, 1}, {&C::decal, 1}},
+      {{&C::datapath, 2}, {&C::perspective, 1}, {&C::gloss_map, 1}},
+      {{&C::datapath, 2}, {&C::cross_products, 1}, {&C::filter, 1}},
+      {{&C::datapath, 3}},
+      {{&C::datapath, 4}, {&C::decal, 1}},
+      {{&C::light_vectors, 1}, {&C::decode, 1}},
+      {{&C::light_vectors, 1}, {&C::lighting, 2}, {&C::perspective, 1}},
+      {{&C::lighting, 3}, {&C::self_shadow, 2}, {&C::decal, 1}, {&C::gloss_map, 1}},
+      {{&C::normalize_order, 1}, {&C::self_shadow, 0}, {&C::perspective, 1}},
+      {{&C::normalize_order, 1}, {&C::self_shadow, 0}, {&C::lighting, 0}, {&C::vector_bits, 7}},
+      {{&C::lighting, 0}, {&C::channels, 0}, {&C::depth, 0}, {&C::normalizer_n, 0}, {&C::normalizer_l, 0}},
+      {{&C::normalizer_n, 2}, {&C::normalizer_l, 3}, {&C::normalizer_h, 4}, {&C::weight_bits, 1}, {&C::lod_bits, 0}},
+      {{&C::vector_bits, 18},
+       {&C::unit_bits, 16},
+       {&C::dot_bits, 16},
+       {&C::power_bits, 18},
+       {&C::texel_bits, 10},
+       {&C::uv_bits, 24},
+       {&C::uv_integer_bits, 10},
+       {&C::guard_bits, 14},
+       {&C::specular_squarings, 8},
+       {&C::perspective, 1},
+       {&C::q_bits, 21},
+       {&C::reciprocal_bits, 20},
+       {&C::decal, 1}},
+      {{&C::vector_bits, 5},
+       {&C::unit_bits, 6},
+       {&C::dot_bits, 6},
+       {&C::power_bits, 6},
+       {&C::texel_bits, 4},
+       {&C::uv_bits, 8},
+       {&C::uv_integer_bits, 1},
+       {&C::guard_bits, 2},
+       {&C::specular_squarings, 0},
+       {&C::colour_bits, 4},
+       {&C::depth_bits, 8}}};
+  static const std::vector<Config> kConfigurations = [] {
+    std::vector<Config> list;
+    for (const Changes& changes : kChanges) {
+      Config& config = list.emplace_back();
+      config.screen_bits = kScreenBits;
+      for (const auto& [member, value] : changes) config.*member = value;
+      if (!check(config).key.empty()) fail("configuration " + std::to_string(list.size() - 1) + " is not legal");
+    }
+    return list;
+  }();
+  return kConfigurations;
 }
 
 // Texels are a pattern.
@@ -51,7 +94,7 @@ struct Result {
 
 struct Machine {
   explicit Machine(std::size_t index)
-      : config(configuration(index)),
+      : config(configurations()[index]),
         textures{texture(config, 3, 2), texture(config, 0, 0)},
         simd(config, textures, Lanes::kSimd),
         scalar(config, textures, Lanes::kScalar) {
@@ -91,7 +134,7 @@ Machine& machine(std::size_t index) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace wrinkle;
   if (size < 1) return 0;
-  fuzz::Machine& machine = fuzz::machine(data[0] % fuzz::kConfigurations);
+  fuzz::Machine& machine = fuzz::machine(data[0] % fuzz::configurations().size());
   std::vector<std::uint64_t> words = machine.first_draw;
   const std::size_t first = words.size();
   words.resize(first + (size - 1) / 8);
