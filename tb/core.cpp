@@ -71,12 +71,17 @@ class Clockwork {
     model_.clock(pins_);
     model_.clock(pins_);
     pins_.rst = 0;
+    pins_.are_new = true;
   }
 
   // Runs up to `clocks` clocks; the fragments that left go into `out`. False when the run is over.
   bool advance(int clocks, FragmentBlock& out) {
     out.first_cycle = cycle_;
     out_ = &out;
+    if (run_.surplus) {
+      run_.cycles = cycle_;
+      return false;
+    }
     for (int i = 0; i < clocks; ++i) {
       if (finished()) return false;
       clock();
@@ -86,17 +91,17 @@ class Clockwork {
 
  private:
   bool finished() {
-    if (run_.surplus) {
-      run_.cycles = cycle_;
-      return true;
-    }
     if (run_.stop_after != 0 && cycle_ >= run_.stop_after) return run_.stopped = true;
     if (cycle_ - last_transfer_ > run_.options->watchdog) {
       run_.differ(here(Difference::Kind::kHang));
       run_.cycles = cycle_;
       return true;
     }
-    const bool quiet = pins_.idle != 0 && pins_.packet_valid == 0 && quads_.empty() && pins_.fragment_valid == 0 &&
+    if (pins_.idle == 0) {
+      drained_ = 0;
+      return false;
+    }
+    const bool quiet = pins_.packet_valid == 0 && quads_.empty() && pins_.fragment_valid == 0 &&
                        word_ == block_.size() && !next_words();
     if (!quiet) {
       drained_ = 0;
@@ -157,8 +162,13 @@ class Clockwork {
   if (pins_.stream##_valid == 0 && stream##_waits() && !stalled(Stream::stream)) { \
     pins_.stream##_valid = 1;                                                      \
     offer_##stream();                                                              \
+    pins_.are_new = true;                                                          \
   }
-#define WRINKLE_OUTPUT(stream, stage) pins_.stream##_ready = !stalled(Stream::stream);
+#define WRINKLE_OUTPUT(stream, stage)                                                       \
+  if (const std::uint8_t ready = !stalled(Stream::stream); ready != pins_.stream##_ready) { \
+    pins_.stream##_ready = ready;                                                           \
+    pins_.are_new = true;                                                                   \
+  }
 #include "golden/streams.def"
   }
 
@@ -196,6 +206,7 @@ class Clockwork {
   if (take_##stream) {               \
     stream##_taken();                \
     pins_.stream##_valid = 0;        \
+    pins_.are_new = true;            \
   }
 #include "golden/streams.def"
   }

@@ -17,6 +17,7 @@ using PinBits = std::conditional_t<(bits <= 64), std::uint64_t, std::array<std::
 
 // What the bench drives.
 struct InputPins {
+  bool are_new = true;  // something was changed since the model took them; who changes a pin says so
   std::uint8_t rst = 0;
 #define WRINKLE_INPUT(stream, stage) std::uint8_t stream##_valid = 0;
 #define WRINKLE_INPUT_FIELD(stream, name, most, width) PinBits<most> name{};
@@ -24,7 +25,7 @@ struct InputPins {
 #include "golden/streams.def"
 };
 
-// What the core drives.
+// What the core drives. The fields of a stream are up to date while it is valid.
 struct OutputPins {
 #define WRINKLE_INPUT(stream, stage) std::uint8_t stream##_ready = 0;
 #define WRINKLE_OUTPUT(stream, stage) std::uint8_t stream##_valid = 0;

@@ -50,20 +50,23 @@ bool QuadFetch::read_quad(std::uint64_t request, std::uint64_t* quad) {
   };
   const std::uint32_t x[2] = {field(0, 12), field(12, 12)}, y[2] = {field(24, 12), field(36, 12)};
   const TexelStore::Level* level = directory_.level(field(52, 12), field(48, 4));
-  std::fill_n(quad, kQuad * words, 0);
-  if (level == nullptr) return false;
-  bool legal = true;
+  if (level == nullptr) {
+    std::fill_n(quad, kQuad * words, 0);
+    return false;
+  }
+  const std::uint64_t texel_bytes = sizeof *quad * words;
+  const std::uint64_t rows[2] = {level->base + texel_bytes * level->width * y[0],
+                                 level->base + texel_bytes * level->width * y[1]};
+  const bool legal = x[0] < level->width && x[1] < level->width && y[0] < level->height && y[1] < level->height;
   for (std::size_t i = 0; i < kQuad; ++i) {
-    const std::uint32_t column = x[i & 1], row = y[i >> 1];
-    if (column >= level->width || row >= level->height) {
-      legal = false;
-      continue;
-    }
-    const std::uint64_t address = level->base + sizeof *quad * words * (std::uint64_t{row} * level->width + column);
-    if (direct_ != nullptr)
-      std::memcpy(quad + i * words, direct_ + address, words * sizeof *quad);
+    std::uint64_t* const texel = quad + i * words;
+    const std::uint64_t address = rows[i >> 1] + texel_bytes * x[i & 1];
+    if (!legal && (x[i & 1] >= level->width || y[i >> 1] >= level->height))
+      std::fill_n(texel, words, 0);
+    else if (direct_ != nullptr)
+      std::memcpy(texel, direct_ + address, words * sizeof *texel);
     else
-      transact(address, quad + i * words);
+      transact(address, texel);
   }
   return legal;
 }

@@ -48,6 +48,7 @@ class StallSource {
   }
 
   bool stalled() {
+    if (profile_ == StallProfile::kNone) return false;
     if (left_ == 0) next_run();
     --left_;
     return stalled_;
@@ -57,7 +58,6 @@ class StallSource {
   void next_run() {
     switch (profile_) {
       case StallProfile::kNone:
-        left_ = ~std::uint64_t{0};
         break;
       case StallProfile::kRandom:
         left_ = 1;
