@@ -11,7 +11,8 @@ constexpr std::int64_t kFinestTessellation = 12;
 bool is_fine(const toml::node* divisions) {
   if (divisions == nullptr) return false;
   if (const toml::array* each = divisions->as_array()) return is_fine(each->get(0)) || is_fine(each->get(1));
-  return divisions->value_or(std::int64_t{0}) > kFinestTessellation;
+  const auto* number = divisions->as_integer();
+  return number != nullptr && number->get() > kFinestTessellation;
 }
 
 // What is legal and takes long: finer tessellations, and the height map of 512 by 512 that has a name.
