@@ -24,11 +24,12 @@ struct CheckOptions {
 // every 40 or every 5 clocks: each register of the Verilog is what the net of its name in the netlist is, and random
 // where there is none. So every output and every register is known and compared at every clock, the first included, and
 // a reset that is missing is seen. Runs of 1,000 clocks follow each other until a clock has changed every register to 0
-// and to 1 and every output has been both: twenty at least (of an FPGA eight), a hundred at most, and then SynthesisError
-// names what has not. An output that the netlist wires to a constant has one value only.
+// and to 1 and every output has been both: twenty at least (of an FPGA and without registers eight), a hundred at most,
+// and then SynthesisError names what has not. An output that the netlist wires to a constant has one value only.
 //
 // A netlist that does not keep its registers starts from another random state than the Verilog, and outputs are
-// compared from clock 256 on, when what came in has taken the place of either.
+// compared from clock 256 on, when what came in has taken the place of either. A register that no input makes change is
+// then counted as it is, after a hundred runs.
 //
 // Throws NetlistDiffers, whose text says the first output, its clock and the inputs.
 NetlistChecked check_netlist(const CheckOptions& options);

@@ -139,6 +139,30 @@ endmodule
   }
 }
 
+// Where not every register can be set, one may stay as it is whatever comes in. That is counted; where each can be set,
+// it is refused.
+TEST_F(NetlistCheck, WhatAnFpgaHidesMayKeepARegister) {
+  make("hidden", R"(
+module hidden (input clk, input step_i, output step_o);
+  reg never_q, early_q, late_q;
+  always @(posedge clk) {never_q, early_q, late_q} <= {never_q & early_q, step_i, early_q | never_q};
+  assign step_o = late_q;
+endmodule
+)",
+       "read_verilog " + (options_.folder / "source.v").string() + "\nproc\nsimplemap\nclean");
+  EXPECT_THROW(check_netlist(options_), SynthesisError);
+  std::string text = read_text(options_.gates);
+  for (std::size_t at = text.find("early_q"); at != std::string::npos; at = text.find("early_q"))
+    text.replace(at, 7, "inside");
+  std::ofstream(options_.gates) << text;
+  options_.keeps_registers = false;
+  const NetlistChecked checked = check_netlist(options_);
+  EXPECT_EQ(checked.registers, 2);
+  EXPECT_EQ(checked.registers_changed, 1);
+  EXPECT_EQ(checked.outputs_changed, 1);
+  EXPECT_GE(checked.clocks, 100'000);
+}
+
 // An FPGA's cell may hold a register without its name. Then both sides start from another state, and soon it matters no
 // more; where names are kept, that is refused.
 TEST_F(NetlistCheck, RegistersWithoutNamesAreForgotten) {
