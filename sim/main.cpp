@@ -34,7 +34,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "wrinkle " WRINKLE_VERSION);
   app.footer(
       "exit code: 0 done and equal, 1 compared and different, 2 bad input\nAlso: ./wrinkle test [--long] builds and "
-      "runs all tests.");
+      "runs all tests, ./wrinkle fuzz [TARGET] the readers under a fuzzer.");
   wrinkle::Action command;
   wrinkle::add_demo(app, command);
   wrinkle::add_render(app, command);

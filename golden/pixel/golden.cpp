@@ -80,14 +80,25 @@ struct Golden::State {
   Context context;
   std::map<std::tuple<int, int, int>, std::shared_ptr<const BoundTexture>> bound;
 
+  // The texture that a draw names, which must be as the draw says.
+  const Texture& named_texture(const DrawWords& draw) const {
+    const auto index = static_cast<std::size_t>(draw.texture);
+    if (index >= textures.size()) throw std::invalid_argument("a draw packet names a texture that is not there");
+    const Texture& texture = textures[index];
+    if (draw.log2_width != texture.log2_width || draw.log2_height != texture.log2_height ||
+        draw.max_level > texture.max_level())
+      throw std::invalid_argument("a draw packet has another size or more levels than its texture");
+    return texture;
+  }
+
   // The private copy of a texture for the wrap modes of a draw, made when first met.
   std::shared_ptr<const BoundTexture> texture_of(const DrawWords& draw) {
     if (!draw.textured || !context.config.textured) return nullptr;
+    const Texture& texture = named_texture(draw);
     auto& copy = bound[{draw.texture, draw.wrap_u, draw.wrap_v}];
     if (copy == nullptr)
-      copy = std::make_shared<BoundTexture>(bind_texture(textures.at(static_cast<std::size_t>(draw.texture)),
-                                                         context.config.bump_components, static_cast<Wrap>(draw.wrap_u),
-                                                         static_cast<Wrap>(draw.wrap_v)));
+      copy = std::make_shared<BoundTexture>(bind_texture(
+          texture, context.config.bump_components, static_cast<Wrap>(draw.wrap_u), static_cast<Wrap>(draw.wrap_v)));
     return copy;
   }
 

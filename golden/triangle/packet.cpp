@@ -1,5 +1,6 @@
 #include "golden/triangle/packet.h"
 
+#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 #include <type_traits>
@@ -135,6 +136,29 @@ void expect_opcode(std::span<const std::uint64_t> words, unsigned opcode) {
     throw std::invalid_argument("a packet has another opcode than expected");
 }
 
+void require(bool sound, const char* message) {
+  if (!sound) throw std::invalid_argument(message);
+}
+
+// What the widths of the fields leave open and docs/formats.md does not allow.
+void check(const Shape& config, const DrawWords& draw) {
+  constexpr int kLastWrap = static_cast<int>(Wrap::kMirror);
+  require(draw.wrap_u <= kLastWrap && draw.wrap_v <= kLastWrap, "a draw packet has a wrap mode that is none");
+  require(std::max(draw.log2_width, draw.log2_height) <= kMaxLog2Size, "a draw packet has a texture that is too large");
+  require(draw.squarings <= config.specular_squarings, "a draw packet has more squarings than the configuration");
+  for (const auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular})
+    for (const int channel : *colour)
+      require(channel <= 1 << config.colour_bits, "a draw packet has a colour greater than 1");
+}
+
+void check(const TriangleWords& triangle) {
+  require(triangle.rows >= 1, "a triangle packet has no rows");
+  for (const EdgeWords* edge : {&triangle.start, &triangle.end0, &triangle.end1}) {
+    require(edge->remainder_step < edge->denominator && edge->remainder >= -edge->denominator && edge->remainder < 0,
+            "a triangle packet has an edge with a remainder that is none of its denominator");
+  }
+}
+
 }  // namespace
 
 int scan_word_count(const Shape& config) {
@@ -167,6 +191,7 @@ DrawWords decode_draw(const Shape& config, std::span<const std::uint64_t> words)
   DrawWords draw;
   Reader reader(words);
   draw_fields(config, draw, reader);
+  check(config, draw);
   return draw;
 }
 
@@ -175,6 +200,7 @@ void decode(const Shape& config, std::span<const std::uint64_t> words, TriangleW
   Reader reader(words);
   scan_fields(config, triangle, reader);
   plane_fields(config, triangle, reader);
+  check(triangle);
 }
 
 TriangleWords decode_triangle(const Shape& config, std::span<const std::uint64_t> words) {

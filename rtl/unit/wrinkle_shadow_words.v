@@ -9,16 +9,15 @@ module wrinkle_shadow_words #(
   input  wire [63:0]         word_i,
   output wire [64*WORDS-1:0] words_o
 );
-  genvar k;
+  reg [64*WORDS-1:0] words_q;
+
+  assign words_o = words_q;
+
   generate
-    for (k = 0; k < WORDS; k = k + 1) begin : word
-      reg [63:0] word_q;
-      assign words_o[64*k +: 64] = word_q;
-      if (k == WORDS - 1) begin : entry
-        always @(posedge clk) if (shift_i) word_q <= word_i;
-      end else begin : from_above
-        always @(posedge clk) if (shift_i) word_q <= word[k+1].word_q;
-      end
+    if (WORDS == 1) begin : single
+      always @(posedge clk) if (shift_i) words_q <= word_i;
+    end else begin : several
+      always @(posedge clk) if (shift_i) words_q <= {word_i, words_q[64*WORDS-1:64]};
     end
   endgenerate
 endmodule

@@ -11,7 +11,7 @@ const Library& load() {
   void* module = dlopen(WRINKLE_OIIO_MODULE, RTLD_LAZY | RTLD_LOCAL);
   void* function = module != nullptr ? dlsym(module, "wrinkle_oiio_library") : nullptr;
   if (function == nullptr) throw std::runtime_error(std::string("OpenImageIO cannot be loaded: ") + dlerror());
-  return reinterpret_cast<const Library& (*)()>(function)();
+  return *reinterpret_cast<const Library* (*)()>(function)();
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ class OpenImageIo : public Library {
 }  // namespace
 }  // namespace wrinkle::oiio
 
-extern "C" const wrinkle::oiio::Library& wrinkle_oiio_library() {
+extern "C" const wrinkle::oiio::Library* wrinkle_oiio_library() {
   static const wrinkle::oiio::OpenImageIo library;
-  return library;
+  return &library;
 }

@@ -79,8 +79,8 @@ std::array<int, 2> read_tessellation(const TomlTable& table, Kind kind) {
 std::vector<Object> read_built_in(const TomlTable& table, bool one_per_surface) {
   const auto kind = static_cast<Kind>(table.choice("mesh", kNames));
   const Surfaces surfaces = surfaces_of(table, kind);
-  const auto [nu, nv] = read_tessellation(table, kind);
-  const std::size_t triangles = surfaces.size() * 2 * static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv);
+  const std::array<int, 2> n = read_tessellation(table, kind);
+  const std::size_t triangles = surfaces.size() * 2 * static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1]);
   if (triangles > kMaximumTriangles) {
     throw InputError(table.place("tessellation"), std::to_string(triangles) + " triangles",
                      "at most " + std::to_string(kMaximumTriangles));
@@ -89,7 +89,7 @@ std::vector<Object> read_built_in(const TomlTable& table, bool one_per_surface) 
   const auto add = [&](const Surfaces& part) {
     Object& object = objects.emplace_back();
     object.name = table.string("mesh");
-    object.mesh = tessellate(part, nu, nv);
+    object.mesh = tessellate(part, n[0], n[1]);
     object.mesh.name = object.name;
   };
   if (!one_per_surface) add(surfaces);

@@ -10,6 +10,9 @@
 namespace wrinkle {
 namespace {
 
+// Copies of a mesh share nothing, so that many nodes may take more than their triangles do.
+constexpr std::size_t kMaximumVertices = 3 * kMaximumTriangles;
+
 Vec3 row(const Mat4& m, int r) { return {m(r, 0), m(r, 1), m(r, 2)}; }
 
 }  // namespace
@@ -58,10 +61,16 @@ void check_size(const std::vector<Object>& objects, const Place& place) {
   if (objects.size() > kMaximumObjects) {
     throw InputError(place, std::to_string(objects.size()) + " objects", "at most " + std::to_string(kMaximumObjects));
   }
-  std::size_t triangles = 0;
-  for (const Object& object : objects) triangles += object.mesh.triangles.size();
+  std::size_t triangles = 0, vertices = 0;
+  for (const Object& object : objects) {
+    triangles += object.mesh.triangles.size();
+    vertices += object.mesh.vertices.size();
+  }
   if (triangles > kMaximumTriangles) {
     throw InputError(place, std::to_string(triangles) + " triangles", "at most " + std::to_string(kMaximumTriangles));
+  }
+  if (vertices > kMaximumVertices) {
+    throw InputError(place, std::to_string(vertices) + " vertices", "at most " + std::to_string(kMaximumVertices));
   }
 }
 

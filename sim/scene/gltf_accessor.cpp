@@ -10,6 +10,8 @@ namespace wrinkle {
 namespace {
 
 constexpr std::size_t kMaximumCount = std::size_t{1} << 26;  // elements of one accessor
+// The same where no byte of the file stands for them: a file of some hundred bytes must not take gigabytes.
+constexpr std::size_t kMaximumZeros = std::size_t{1} << 16;
 constexpr double kMaximumMagnitude = 1e12;
 
 // Where the elements lie. Constructed only when every byte of them is inside the buffer.
@@ -35,21 +37,30 @@ std::size_t component_bytes(const GltfFile& file, int type, const std::string& p
   }
 }
 
-Span checked_span(const GltfFile& file, int view_index, std::size_t offset, std::size_t count, std::size_t bytes,
-                  const std::string& pointer) {
+const tinygltf::BufferView& checked_view(const GltfFile& file, int index, const std::string& pointer) {
   const auto& views = file.model.bufferViews;
-  const int v = checked_index(file, view_index, views.size(), "bufferViews", pointer + "/bufferView");
+  const int v = checked_index(file, index, views.size(), "bufferViews", pointer + "/bufferView");
   const tinygltf::BufferView& view = views[static_cast<std::size_t>(v)];
-  const std::string view_pointer = "/bufferViews/" + std::to_string(v);
-  const int b = checked_index(file, view.buffer, file.model.buffers.size(), "buffers", view_pointer + "/buffer");
-  const auto& data = file.model.buffers[static_cast<std::size_t>(b)].data;
-  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset) {
-    throw InputError(file.place(view_pointer),
+  const std::string own = "/bufferViews/" + std::to_string(v);
+  const int b = checked_index(file, view.buffer, file.model.buffers.size(), "buffers", own + "/buffer");
+  const std::size_t size = file.model.buffers[static_cast<std::size_t>(b)].data.size();
+  if (view.byteOffset > size || view.byteLength > size - view.byteOffset) {
+    throw InputError(file.place(own),
                      "bytes " + std::to_string(view.byteOffset) + " to +" + std::to_string(view.byteLength),
-                     "a range within the " + std::to_string(data.size()) + " bytes of buffer " + std::to_string(b));
+                     "a range within the " + std::to_string(size) + " bytes of buffer " + std::to_string(b));
   }
+  return view;
+}
+
+const unsigned char* first_byte(const GltfFile& file, const tinygltf::BufferView& view) {
+  return file.model.buffers[static_cast<std::size_t>(view.buffer)].data.data() + view.byteOffset;
+}
+
+Span checked_span(const GltfFile& file, int v, std::size_t offset, std::size_t count, std::size_t bytes,
+                  const std::string& pointer) {
+  const tinygltf::BufferView& view = checked_view(file, v, pointer);
   if (view.byteStride != 0 && (view.byteStride < bytes || view.byteStride > 252)) {
-    throw InputError(file.place(view_pointer + "/byteStride"), std::to_string(view.byteStride),
+    throw InputError(file.place("/bufferViews/" + std::to_string(v) + "/byteStride"), std::to_string(view.byteStride),
                      "0, or " + std::to_string(bytes) + " to 252");
   }
   const std::size_t stride = view.byteStride != 0 ? view.byteStride : bytes;
@@ -59,7 +70,7 @@ Span checked_span(const GltfFile& file, int view_index, std::size_t offset, std:
                          std::to_string(offset),
                      "what fits the " + std::to_string(view.byteLength) + " bytes of bufferView " + std::to_string(v));
   }
-  return {data.data() + view.byteOffset + offset, stride};
+  return {first_byte(file, view) + offset, stride};
 }
 
 template <typename Integer>
@@ -117,6 +128,10 @@ const tinygltf::Accessor& checked_accessor(const GltfFile& file, int index, int 
     throw InputError(file.place(own + "/count"), std::to_string(accessor.count),
                      "1 to " + std::to_string(kMaximumCount));
   }
+  if (accessor.bufferView == -1 && accessor.count > kMaximumZeros) {
+    throw InputError(file.place(own + "/count"), std::to_string(accessor.count) + " elements without bufferView",
+                     "at most " + std::to_string(kMaximumZeros));
+  }
   return accessor;
 }
 
@@ -156,6 +171,11 @@ void substitute(const GltfFile& file, const tinygltf::Accessor& accessor, const 
 }
 
 }  // namespace
+
+std::string_view view_bytes(const GltfFile& file, int index, const std::string& pointer) {
+  const tinygltf::BufferView& view = checked_view(file, index, pointer);
+  return {reinterpret_cast<const char*>(first_byte(file, view)), view.byteLength};
+}
 
 AccessorData read_accessor(const GltfFile& file, int index, int components, const std::string& pointer) {
   const tinygltf::Accessor& accessor = checked_accessor(file, index, components, pointer);

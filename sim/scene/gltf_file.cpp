@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "sim/scene/files.h"
@@ -54,12 +55,6 @@ std::string one_line(std::string text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
-}
-
-bool keep_encoded_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
-                        const unsigned char* bytes, int size, void*) {
-  image->image.assign(bytes, bytes + size);
-  return true;
 }
 
 using nlohmann::json;
@@ -139,16 +134,28 @@ std::vector<std::string> take_buffers(GltfFile& file, std::string&& chunk, bool 
   return buffers;
 }
 
+// Images are left out of what tinygltf sees, which takes bytes of a bufferView without a look at its bounds.
 void take_images(GltfFile& file) {
-  for_each_element(file.json, "images", [&](json& image, std::size_t) {
-    file.image_uris.push_back(string_of(image, "uri"));
-    if (!file.image_uris.back().empty()) image["uri"] = "image";
+  for_each_element(file.json, "images", [&](json& image, std::size_t i) {
+    const std::string pointer = "/images/" + std::to_string(i);
+    GltfImage& taken = file.images.emplace_back();
+    taken.uri = string_of(image, "uri");
+    if (image.is_object() && image.contains("bufferView")) {
+      const json view = image["bufferView"];
+      const std::int64_t index = view.is_number_integer() ? view.get<std::int64_t>() : -1;
+      if (index < 0 || index > std::numeric_limits<int>::max()) {
+        throw InputError(file.place(pointer + "/bufferView"), shortened(view.dump()), "the index of a bufferView");
+      }
+      if (!taken.uri.empty()) throw InputError(file.place(pointer), "both uri and bufferView", "one of them");
+      taken.view = static_cast<int>(index);
+      image.erase("bufferView");
+    }
+    if (taken.view || !taken.uri.empty()) image["uri"] = "image";
   });
 }
 
 void load_from_memory(GltfFile& file, std::vector<std::string> buffers) {
   tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(keep_encoded_image, nullptr);
   tinygltf::FsCallbacks callbacks;
   callbacks.FileExists = [](const std::string&, void*) { return true; };
   callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
@@ -252,11 +259,13 @@ namespace {
 
 // Bytes of an image that is embedded, empty for one in a file of its own.
 std::string embedded_image(const GltfFile& file, std::size_t image, const Place& place) {
-  const std::string& uri = file.image_uris[image];
-  const std::vector<unsigned char>& bytes = file.model.images[image].image;
+  const auto& [uri, view] = file.images[image];
   if (!uri.empty() && !is_data_uri(uri)) return {};
-  if (uri.empty() && bytes.empty()) throw InputError(place, "neither uri nor bufferView with bytes", "one of them");
-  if (uri.empty()) return {bytes.begin(), bytes.end()};
+  if (view) {
+    const std::string_view bytes = view_bytes(file, *view, "/images/" + std::to_string(image));
+    if (!bytes.empty()) return std::string(bytes);
+  }
+  if (uri.empty()) throw InputError(place, "neither uri nor bufferView with bytes", "one of them");
   DataUri data = decode_data_uri(uri, place);
   const bool is_image =
       data.media_type.empty() || data.media_type.starts_with("image/") || data.media_type == "application/octet-stream";
@@ -273,7 +282,7 @@ Image read_by(const GltfFile& file, int image, const Read& read) {
   const auto at = static_cast<std::size_t>(image);
   const Place place = file.place("/images/" + std::to_string(image) + "/uri");
   const std::string bytes = embedded_image(file, at, place);
-  return bytes.empty() ? read(find_uri(file.path.parent_path(), file.image_uris[at], place)) : read(bytes, place);
+  return bytes.empty() ? read(find_uri(file.path.parent_path(), file.images[at].uri, place)) : read(bytes, place);
 }
 
 }  // namespace

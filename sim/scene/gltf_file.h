@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // Before tinygltf, which hides the symbols of what it includes.
@@ -21,10 +23,16 @@ namespace wrinkle {
 // Extensions that are applied; all others are noted, or, where the file requires them, an error.
 bool is_applied_extension(const std::string& name);
 
+// Where an image is: one of both.
+struct GltfImage {
+  std::string uri;
+  std::optional<int> view;  // a bufferView
+};
+
 struct GltfFile {
   std::filesystem::path path;
-  nlohmann::json json;                  // as written, but for the URIs
-  std::vector<std::string> image_uris;  // empty where the image has none
+  nlohmann::json json;  // as written, but for the URIs, and the bufferViews of images
+  std::vector<GltfImage> images;
   tinygltf::Model model;
 
   // A place in the JSON, such as /accessors/3/count.
@@ -38,6 +46,9 @@ GltfFile load_gltf(const std::filesystem::path& path, Notes& notes);
 // `index` if it is in [0, size), else an error at `pointer`: "found index 7 of 3 meshes".
 int checked_index(const GltfFile& file, int index, std::size_t size, const std::string& what,
                   const std::string& pointer);
+
+// The bytes of a bufferView, which are all inside its buffer.
+std::string_view view_bytes(const GltfFile& file, int view, const std::string& pointer);
 
 Image read_gltf_image(const GltfFile& file, int image);
 // Its alpha as the one channel; no pixels where it has none.

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "golden/pixel/pixel.h"
 #include "tests/host/packet_walker.h"
 
 namespace wrinkle {
@@ -67,9 +69,24 @@ TEST(Packet, DrawsComeBackFromTheirWords) {
     config.light_vectors = i % 2;
     const auto flag = [&] { return random.integer(0, 1) != 0; };
     const auto field = [&](int bits) { return static_cast<int>(random.integer(0, (1 << bits) - 1)); };
-    DrawWords draw{flag(),   flag(),   flag(),    flag(),   field(2), field(2), field(4),
-                   field(4), field(4), field(12), field(4), {},       {},       {}};
-    for (auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular}) *colour = {field(16), field(16), field(16)};
+    const auto up_to = [&](int most) { return static_cast<int>(random.integer(0, most)); };
+    DrawWords draw{flag(),
+                   flag(),
+                   flag(),
+                   flag(),
+                   up_to(2),
+                   up_to(2),
+                   up_to(kMaxLog2Size),
+                   up_to(kMaxLog2Size),
+                   field(4),
+                   field(12),
+                   up_to(config.specular_squarings),
+                   {},
+                   {},
+                   {}};
+    for (auto* colour : {&draw.ambient, &draw.diffuse, &draw.specular}) {
+      for (int& channel : *colour) channel = up_to(1 << config.colour_bits);
+    }
     const auto unit = [&] { return field(config.unit_bits + 2) - (1 << (config.unit_bits + 1)); };
     if (i % 2 == 1) draw.l = {unit(), unit(), unit()}, draw.h = {unit(), unit(), unit()};
     std::vector<std::uint64_t> words;
@@ -187,6 +204,71 @@ TEST(Packet, WhatIsCutShortOrOfAnotherOpcodeIsRefused) {
   words.pop_back();
   EXPECT_THROW(decode_triangle(config, words), std::invalid_argument);
   EXPECT_THROW(decode_triangle(config, {}), std::invalid_argument);
+}
+
+// Each is a packet of the format but for one field.
+TEST(Packet, FieldsOutOfTheirRangesAreRefused) {
+  const Config config = fixed_widths();
+  const auto refuses_draw = [&](const char* what, const auto& change) {
+    DrawWords draw;
+    std::vector<std::uint64_t> words;
+    encode(config, draw, words);
+    EXPECT_NO_THROW(decode_draw(config, words));
+    change(draw);
+    words.clear();
+    encode(config, draw, words);
+    EXPECT_THROW(decode_draw(config, words), std::invalid_argument) << what;
+  };
+  refuses_draw("wrap_u", [](DrawWords& draw) { draw.wrap_u = 3; });
+  refuses_draw("wrap_v", [](DrawWords& draw) { draw.wrap_v = 3; });
+  refuses_draw("log2_width", [](DrawWords& draw) { draw.log2_width = kMaxLog2Size + 1; });
+  refuses_draw("log2_height", [](DrawWords& draw) { draw.log2_height = kMaxLog2Size + 1; });
+  refuses_draw("squarings", [&](DrawWords& draw) { draw.squarings = config.specular_squarings + 1; });
+  refuses_draw("ambient", [&](DrawWords& draw) { draw.ambient[1] = (1 << config.colour_bits) + 1; });
+  refuses_draw("specular", [&](DrawWords& draw) { draw.specular[2] = 0xFFFF; });
+  const auto refuses_triangle = [&](const char* what, const auto& change) {
+    TriangleWords triangle(config);
+    std::vector<std::uint64_t> words;
+    encode(config, triangle, words);
+    EXPECT_NO_THROW(decode_triangle(config, words));
+    change(triangle);
+    words.clear();
+    encode(config, triangle, words);
+    EXPECT_THROW(decode_triangle(config, words), std::invalid_argument) << what;
+  };
+  refuses_triangle("rows", [](TriangleWords& triangle) { triangle.rows = 0; });
+  refuses_triangle("remainder of 0", [](TriangleWords& triangle) { triangle.start.remainder = 0; });
+  refuses_triangle("remainder below the denominator", [](TriangleWords& triangle) { triangle.end0.remainder = -2; });
+  refuses_triangle("step of the denominator", [](TriangleWords& triangle) { triangle.end1.remainder_step = 1; });
+}
+
+// A draw packet says what its texture is: texels are fetched by what it says.
+TEST(Packet, DrawsOfOtherTexturesThanThereAreRefused) {
+  Config config;
+  config.decal = 1;
+  const Shape shape(config);
+  Texture texture{2, 1, shape.texels, shape.texel_bits, {}};
+  for (int level = 0; level < 3; ++level) {
+    texture.levels.emplace_back(
+        static_cast<std::size_t>(texture.width(level) * texture.height(level) * texture.texel_words()));
+  }
+  const std::vector<Texture> textures{texture};
+  const auto draw = [&](const auto& change) {
+    DrawWords state;
+    state.textured = true;
+    state.log2_width = 2;
+    state.log2_height = 1;
+    state.max_level = 2;
+    change(state);
+    std::vector<std::uint64_t> words;
+    encode(shape, state, words);
+    Golden(shape, textures).draw(words, {[](const auto&) {}, [](const auto&) {}});
+  };
+  EXPECT_NO_THROW(draw([](DrawWords&) {}));
+  EXPECT_THROW(draw([](DrawWords& state) { state.texture = 1; }), std::invalid_argument);
+  EXPECT_THROW(draw([](DrawWords& state) { state.log2_width = 3; }), std::invalid_argument);
+  EXPECT_THROW(draw([](DrawWords& state) { state.log2_height = 0; }), std::invalid_argument);
+  EXPECT_THROW(draw([](DrawWords& state) { state.max_level = 3; }), std::invalid_argument);
 }
 
 }  // namespace

@@ -356,10 +356,44 @@ TEST(Gltf, BadTexturesAndImages) {
        {"text.png", "no image"});
   says(("{" + material + R"(, "textures": [{"source": 0}], "images": [{"uri": "https://a/b.png"}]})").c_str(),
        {"/images/0/uri"});
+  says(("{" + material + R"(, "textures": [{"source": 0}], "images": [{"bufferView": 6}]})").c_str(),
+       {"/images/0/bufferView", "index 6", "0 to 5"});
+  says(("{" + material + R"(, "textures": [{"source": 0}], "images": [{"bufferView": -1}]})").c_str(),
+       {"/images/0/bufferView", "found -1", "the index of a bufferView"});
+  says(("{" + material + R"(, "textures": [{"source": 0}], "images": [{"bufferView": 0, "uri": "a.png"}]})").c_str(),
+       {"/images/0", "both uri and bufferView"});
   says(R"({"materials": [{"pbrMetallicRoughness": {"roughnessFactor": 1.5}}]})",
        {"/materials/0", "roughnessFactor = 1.5"});
   says(R"({"materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 2, 1]}}]})",
        {"/materials/0", "baseColorFactor"});
+}
+
+// tinygltf took these bytes on trust, from wherever they lie.
+TEST(Gltf, ImagesOutsideTheBuffer) {
+  const Folder folder;
+  json model = square();
+  model["meshes"][0]["primitives"][0]["material"] = 0;
+  model["materials"] = json::parse(R"([{"normalTexture": {"index": 0}}])");
+  model["textures"] = json::parse(R"([{"source": 0}])");
+  model["images"] = json::parse(R"([{"bufferView": 6, "mimeType": "image/png"}])");
+  model["bufferViews"].push_back(json::parse(R"({"buffer": 0, "byteOffset": 2147483647, "byteLength": 16})"));
+  expect_error([&] { read_scene(write(folder, model)); }, {"/bufferViews/6", "bytes 2147483647", "156 bytes"});
+  model["bufferViews"][6] = json::parse(R"({"buffer": 3, "byteLength": 16})");
+  expect_error([&] { read_scene(write(folder, model)); }, {"/bufferViews/6/buffer", "index 3"});
+}
+
+// Zeros that no byte of the file stands for.
+TEST(Gltf, ElementsOutOfNothing) {
+  const Folder folder;
+  json model = square();
+  model["accessors"][0] = json::parse(R"({"componentType": 5126, "count": 65537, "type": "VEC3"})");
+  model["meshes"][0] = json::parse(R"({"primitives": [{"attributes": {"POSITION": 0}}]})");
+  const fs::path path = write(folder, model);
+  const long before = peak_kilobytes();
+  expect_error([&] { read_scene(path); }, {"/accessors/0/count", "65537 elements without bufferView", "65536"});
+  model["accessors"][0]["count"] = 65535;
+  EXPECT_EQ(read_scene(write(folder, model)).objects.at(0).mesh.triangles.size(), 21845U);
+  EXPECT_LT(peak_kilobytes() - before, 64 * 1024);
 }
 
 bool holds(const Notes& notes, const std::string& text) {
