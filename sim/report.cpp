@@ -50,6 +50,7 @@ std::string page(const nlohmann::json& data, const Tables& tables) {
   const fs::path folder = fs::path(WRINKLE_SOURCE_DIR) / "sim" / "report" / "page";
   std::string text = part(folder / "page.html");
   replace(text, "@STYLE@", part(folder / "page.css"));
+  replace(text, "@PICTURES@", part(folder / "pictures.js"));
   replace(text, "@SCRIPT@", part(folder / "page.js"));
   replace(text, "@CHART@", part("/usr/share/javascript/chart.js/chart.min.js"));  // Debian's libjs-chart.js
   replace(text, "@DATA@", embedded(data));

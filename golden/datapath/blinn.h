@@ -45,7 +45,6 @@ struct Blinn : DatapathDefaults {
     return in.heights != nullptr ? gradient_texture(in.normals, *in.heights, in.texel_bits, in.wraps)
                                  : gradient_texture(in.normals, in.texel_bits);
   }
-  static Vec3 texel_normal(std::span<const double> bump, double scale) { return {-bump[0], -bump[1], 1 / scale}; }
 
   // A, B, C with N on the outer side, f being measured along N [Peercy97 eq. 2]; where u and v are lengths along T and
   // B, N, T and B. B and C have the scale that the slopes were divided by.

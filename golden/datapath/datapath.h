@@ -69,10 +69,8 @@ struct DatapathDefaults : Config {
   static constexpr std::array<std::string_view, 0> frame_names() { return {}; }
   static constexpr std::string_view bump_name() { return {}; }
 
-  // The texels, with whatever the components of the bump map were divided by; and the normal in tangent space, of any
-  // length, that a bump map of that scale stands for.
+  // The texels, with whatever the components of the bump map were divided by.
   static ExactTexture texels(const TexelInputs& in) { return in.normals; }
-  static Vec3 texel_normal(std::span<const double>, double) { return {0, 0, 1}; }
 
   // The vectors at a vertex of a bumped draw, of a datapath that says frame_prepared.
   static FrameVectors vertex(const VertexInputs&) { return {}; }

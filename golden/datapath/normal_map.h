@@ -32,7 +32,6 @@ struct NormalMapped : DatapathDefaults {
   static constexpr std::array<std::string_view, 1> frame_names() { return {"n"}; }
   static constexpr std::string_view bump_name() { return "n"; }
 
-  static Vec3 texel_normal(std::span<const double> bump, double) { return {bump[0], bump[1], bump[2]}; }
 
   // The exact twin of perturb_lanes().
   static Vec3 exact(bool is_bumped, std::span<const Vec3> frame, std::span<const double> bump) {

@@ -48,7 +48,6 @@ struct Offset : DatapathDefaults {
     texture.bump_scale = std::max(texture.bump_scale, 1.0);
     return texture;
   }
-  static Vec3 texel_normal(std::span<const double> bump, double scale) { return {bump[0], bump[1], 1 / scale}; }
 
   static FrameVectors vertex(const VertexInputs& v) { return {Vec3{0, 0, 1 / v.bump_scale}}; }
 

@@ -48,11 +48,4 @@ inline void power(const Shape& config, const DrawWords& draw, double surface_cos
   }
 }
 
-inline Lit light(const Shape& config, const DrawWords& draw, Vec3 n, Vec3 l, Vec3 h, double surface_cosine) {
-  Lit lit;
-  dots(config, n, l, h, lit);
-  power(config, draw, surface_cosine, lit);
-  return lit;
-}
-
 }  // namespace wrinkle::exact

@@ -19,10 +19,4 @@ inline void perturb(const Shape& config, const DrawWords& draw, Fragments& batch
   });
 }
 
-// The normal in tangent space that a bump map stands for.
-inline Vec3 texel_normal(const Shape& config, const BumpComponents& bump, double scale) {
-  return with_datapath(config,
-                       [&](const auto& said) { return std::decay_t<decltype(said)>::texel_normal(bump, scale); });
-}
-
 }  // namespace wrinkle::exact

@@ -10,6 +10,7 @@
 #include "tb/process.h"
 #include "tb/random_frame.h"
 #include "tests/bench/configurations.h"
+#include "tests/bench/drawn.h"
 #include "tests/bench/taps.h"
 
 namespace wrinkle {
@@ -23,19 +24,6 @@ Frame short_frame(std::uint64_t seed, double fragments) {
   wish.fragments = fragments;
   wish.draws = 3;
   return random_frame(small_config(), wish);
-}
-
-std::vector<Fragment> drawn(const Config& config, const Frame& frame, const BenchOptions& options,
-                            BenchResult* result = nullptr) {
-  std::vector<Fragment> fragments;
-  BenchSinks sinks;
-  sinks.fragments = [&](std::span<const Fragment> block) {
-    fragments.insert(fragments.end(), block.begin(), block.end());
-  };
-  const BenchResult r = run_bench(config, frame, options, sinks);
-  EXPECT_TRUE(r.equal()) << (r.first ? describe(*r.first) : "stopped");
-  if (result != nullptr) *result = r;
-  return fragments;
 }
 
 fs::path scratch(const char* name) {

@@ -23,6 +23,7 @@
 #include "tb/tap_recorder.h"
 #include "tb/texel_store.h"
 #include "tests/bench/configurations.h"
+#include "tests/bench/drawn.h"
 #include "tests/bench/verilog_copy.h"
 
 namespace wrinkle {
@@ -261,17 +262,11 @@ TEST(Streams, TexelsWiderThanAWordReachTheCore) {
   wish.seed = 8;
   wish.fragments = 3000;
   const Frame frame = random_frame(config, wish);
-  std::vector<Fragment> fragments;
-  BenchSinks sinks;
-  sinks.fragments = [&](std::span<const Fragment> block) {
-    fragments.insert(fragments.end(), block.begin(), block.end());
-  };
-  ASSERT_TRUE(run_bench(config, frame, {}, sinks).equal());
-  const std::vector<Fragment> expected = std::exchange(fragments, {});
+  const std::vector<Fragment> expected = drawn(config, frame);
   ASSERT_GT(expected.size(), 1000U);
 
-  std::vector<Texture> wide = frame.textures;
-  for (Texture& texture : wide) {
+  Frame wide = frame;
+  for (Texture& texture : wide.textures) {
     texture.components = 13;
     texture.component_bits = 10;
     for (auto& level : texture.levels) {
@@ -286,12 +281,9 @@ TEST(Streams, TexelsWiderThanAWordReachTheCore) {
   options.model.source_root = root;
   options.model.cache = root / "cache";
   options.model.optimize = false;
-  const PacketStream stream = build_packets(config, frame);
   for (const bool direct : {true, false}) {
     options.dmi = direct;
-    fragments.clear();
-    EXPECT_TRUE(run_bench(config, stream, wide, frame.name, options, sinks).equal());
-    EXPECT_EQ(fragments, expected) << (direct ? "direct" : "transactions");
+    EXPECT_EQ(drawn(config, wide, options), expected) << (direct ? "direct" : "transactions");
   }
   fs::remove_all(root);
 }
@@ -317,16 +309,11 @@ TEST(Streams, ThirteenComponentsReachTheirStages) {
   wish.seed = 9;
   wish.fragments = 3000;
   const Frame frame = random_frame(config, wish);
-  std::vector<Fragment> fragments;
-  BenchSinks sinks;
-  sinks.fragments = [&](std::span<const Fragment> block) {
-    fragments.insert(fragments.end(), block.begin(), block.end());
-  };
-  ASSERT_TRUE(run_bench(config, frame, {}, sinks).equal());
-  const std::vector<Fragment> expected = std::exchange(fragments, {});
+  const std::vector<Fragment> expected = drawn(config, frame);
   ASSERT_GT(expected.size(), 1000U);
 
-  std::vector<Texture> wide = frame.textures;
+  Frame wide_frame = frame;
+  std::vector<Texture>& wide = wide_frame.textures;
   Random random(13);
   for (std::size_t t = 0; t < wide.size(); ++t) {
     wide[t].components = 13;
@@ -352,8 +339,7 @@ TEST(Streams, ThirteenComponentsReachTheirStages) {
   options.model.source_root = root;
   options.model.cache = root / "cache";
   options.model.optimize = false;
-  EXPECT_TRUE(run_bench(config, build_packets(config, frame), wide, frame.name, options, sinks).equal());
-  EXPECT_EQ(fragments, expected);
+  EXPECT_EQ(drawn(config, wide_frame, options), expected);
   fs::remove_all(root);
 }
 

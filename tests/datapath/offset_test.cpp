@@ -76,7 +76,6 @@ TEST(Offset, PreparedTexelsPointAsTheirNormals) {
       const auto& bump = texels.levels[0][i].bump;
       const std::array d{double(bump[0]), double(bump[1])};
       EXPECT_LT(length(normalize(Offset::exact(true, frame, d)) - normals.samples[i]), 1e-6) << slope;
-      EXPECT_LT(length(normalize(Offset::texel_normal(d, texels.bump_scale)) - normals.samples[i]), 1e-6) << slope;
     }
   }
 }

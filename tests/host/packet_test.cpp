@@ -209,15 +209,20 @@ TEST(Packet, WhatIsCutShortOrOfAnotherOpcodeIsRefused) {
 // Each is a packet of the format but for one field.
 TEST(Packet, FieldsOutOfTheirRangesAreRefused) {
   const Config config = fixed_widths();
-  const auto refuses_draw = [&](const char* what, const auto& change) {
-    DrawWords draw;
+  const auto refuses = [&](const char* what, auto fields, const auto& decode, const auto& change) {
     std::vector<std::uint64_t> words;
-    encode(config, draw, words);
-    EXPECT_NO_THROW(decode_draw(config, words));
-    change(draw);
+    encode(config, fields, words);
+    EXPECT_NO_THROW(decode(config, words));
+    change(fields);
     words.clear();
-    encode(config, draw, words);
-    EXPECT_THROW(decode_draw(config, words), std::invalid_argument) << what;
+    encode(config, fields, words);
+    EXPECT_THROW(decode(config, words), std::invalid_argument) << what;
+  };
+  const auto refuses_draw = [&](const char* what, const auto& change) {
+    refuses(what, DrawWords(), decode_draw, change);
+  };
+  const auto refuses_triangle = [&](const char* what, const auto& change) {
+    refuses(what, TriangleWords(config), decode_triangle, change);
   };
   refuses_draw("wrap_u", [](DrawWords& draw) { draw.wrap_u = 3; });
   refuses_draw("wrap_v", [](DrawWords& draw) { draw.wrap_v = 3; });
@@ -226,16 +231,6 @@ TEST(Packet, FieldsOutOfTheirRangesAreRefused) {
   refuses_draw("squarings", [&](DrawWords& draw) { draw.squarings = config.specular_squarings + 1; });
   refuses_draw("ambient", [&](DrawWords& draw) { draw.ambient[1] = (1 << config.colour_bits) + 1; });
   refuses_draw("specular", [&](DrawWords& draw) { draw.specular[2] = 0xFFFF; });
-  const auto refuses_triangle = [&](const char* what, const auto& change) {
-    TriangleWords triangle(config);
-    std::vector<std::uint64_t> words;
-    encode(config, triangle, words);
-    EXPECT_NO_THROW(decode_triangle(config, words));
-    change(triangle);
-    words.clear();
-    encode(config, triangle, words);
-    EXPECT_THROW(decode_triangle(config, words), std::invalid_argument) << what;
-  };
   refuses_triangle("rows", [](TriangleWords& triangle) { triangle.rows = 0; });
   refuses_triangle("remainder of 0", [](TriangleWords& triangle) { triangle.start.remainder = 0; });
   refuses_triangle("remainder below the denominator", [](TriangleWords& triangle) { triangle.end0.remainder = -2; });

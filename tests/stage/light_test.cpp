@@ -74,7 +74,9 @@ TEST(Light, DotsPowersAndShadowsStayWithinTheirBounds) {
           context.config.glossy != 0 ? dot_bound(context.config, *batch, batch->normalize_h, 2, i) : 0;
       DrawWords words = draw;
       words.shadow = shadowed;
-      const exact::Lit lit = exact::light(config, words, n, l, h, l.z);
+      exact::Lit lit;
+      exact::dots(context.config, n, l, h, lit);
+      exact::power(context.config, words, l.z, lit);
       const auto got = [&](const auto& columns) { return static_cast<double>(columns[0][i]); };
       const double nl_error = got(batch->light_nl) - one * lit.nl;
       if (after)
