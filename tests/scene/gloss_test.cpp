@@ -36,6 +36,7 @@ void write_coloured(const fs::path& path) { write_png(path, 3, {1, 0, 0, 0, 1, 0
 // The codes of level 0, in 255ths.
 std::vector<int> gloss_of(const Object& object, std::size_t level = 0) {
   std::vector<int> codes;
+  if (!object.texture) return codes;
   for (const ExactTexel& texel : object.texture->levels[level])
     codes.push_back(static_cast<int>(std::lround(255 * texel.gloss)));
   return codes;
@@ -49,6 +50,7 @@ TEST(GlossMaps, OfASceneFile) {
   const Scene scene = read_scene(path, &notes);
   EXPECT_THAT(notes, IsEmpty());
   EXPECT_EQ(scene.config, "gloss");
+  ASSERT_TRUE(scene.objects[0].texture);
   EXPECT_THAT(gloss_of(scene.objects[0]), ElementsAre(0, 51, 102, 255));
   EXPECT_THAT(gloss_of(scene.objects[0], 1), ElementsAre(26, 179)) << "levels are means, as those of base colours";
   EXPECT_EQ(scene.objects[0].texture->levels[0][0].colour, (std::array<float, 3>{1, 1, 1}));
